@@ -5,7 +5,7 @@
 #
 # Usage: scripts/lint.sh [--fix | --all]
 #   --fix  formats the sources instead, and adds what keywords.txt lacks
-#   --all  also runs clang-tidy on every source of the host: some 50 CPU-minutes
+#   --all  also runs clang-tidy on every source of the host, except tests: some 30 CPU-minutes
 set -euo pipefail
 cd "$(dirname "$0")/.."
 
@@ -47,6 +47,6 @@ if [ -n "$all" ]; then
     # read through the file that includes them.
     cmake --preset release -B build/lint -DCMAKE_DISABLE_PRECOMPILE_HEADERS=ON --log-level=WARNING >/dev/null
     run-clang-tidy-19 -quiet -p build/lint \
-        "^$PWD/(build/lint/bench/.*/Unity|reference|bench|fixedpoint|engine|firmware)/.*" || status=1
+        "^$PWD/(?!.*/tests/)(build/lint/bench|reference|bench|fixedpoint|engine|firmware)/" || status=1
 fi
 exit $status

@@ -19,6 +19,12 @@ constexpr int cell_width = 9, cell_height = 18, font_size = 15, baseline = 14, m
 constexpr int image_width = Picture::columns * cell_width + 2 * margin;
 constexpr int image_height = Picture::rows * cell_height + 2 * margin;
 
+// Of a cell among all cells of a picture, row by row.
+std::size_t place_of(int row, int column) {
+    const int place = row * Picture::columns + column;
+    return static_cast<std::size_t>(place);
+}
+
 // The text that changes `from` to `to` on a terminal.
 std::string difference(const Picture& from, const Picture& to) {
     std::string text;
@@ -124,7 +130,7 @@ void Film::add(double time, const Picture& picture) {
     if (time <= longest_image) {
         for (int row = 0; row < Picture::rows; ++row)
             for (int column = 0; column < Picture::columns; ++column) {
-                Shown& shown = shown_[static_cast<std::size_t>(row * Picture::columns + column)];
+                Shown& shown = shown_[place_of(row, column)];
                 const Cell& now = picture.at(row, column);
                 if (shown.cell == now) continue;
                 over_.push_back({row, column, shown.cell, shown.since, time});
@@ -150,7 +156,7 @@ std::vector<Film::Span> Film::spans() const {
     const double end = std::min(end_, longest_image);
     for (int row = 0; row < Picture::rows; ++row)
         for (int column = 0; column < Picture::columns; ++column) {
-            const Shown& shown = shown_[static_cast<std::size_t>(row * Picture::columns + column)];
+            const Shown& shown = shown_[place_of(row, column)];
             all.push_back({row, column, shown.cell, shown.since, end});
         }
     std::erase_if(all, [](const Span& s) { return s.cell.glyph == L' ' || s.begin >= s.end; });

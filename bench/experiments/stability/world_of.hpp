@@ -185,7 +185,7 @@ class Run {
         for (const Link& rod : description.rods) {
             add_link(
                 rod, [&](auto b, Scalar length) { world_.add_rod(handle(rod.a), b, length); },
-                [&](Vector anchor, Scalar length) {
+                [&](const Vector& anchor, Scalar length) {
                     world_.add_anchored_rod(handle(rod.a), anchor, length);
                 });
         }
@@ -202,7 +202,7 @@ class Run {
                 [&](auto b, Scalar length) {
                     world_.add_spring(handle(spring.a), b, stiffness, damping, length);
                 },
-                [&](Vector anchor, Scalar length) {
+                [&](const Vector& anchor, Scalar length) {
                     world_.add_anchored_spring(handle(spring.a), anchor, stiffness, damping,
                                                length);
                 });
@@ -214,7 +214,7 @@ class Run {
                 [&](auto b, Scalar length) {
                     world_.add_rope(handle(rope.a), b, length, restitution);
                 },
-                [&](Vector anchor, Scalar length) {
+                [&](const Vector& anchor, Scalar length) {
                     world_.add_anchored_rope(handle(rope.a), anchor, length, restitution);
                 });
         }
