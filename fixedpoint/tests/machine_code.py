@@ -107,6 +107,7 @@ class Program:
     the registers on the stack; where one stands for several that held the same, all of them. Proofs that run
     numbers take every `stride`-th."""
     stride = 1
+    suspect = None  # the case to begin with: without the instruction before, it failed
 
     def __init__(self, stretches, machine, elf=None, sources=(), cuts=()):
         """`cuts`: (name, label, mnemonic, operand) of places after a label that do not have a label
@@ -132,7 +133,8 @@ class Program:
     def prove(self, label, begin, ends, _, cases=((),), transfers=(False, True)):
         """Proves the stretch after a label; returns the addresses on feasible paths."""
         visited = set()
-        for case, transfer in product(cases, transfers):
+        for case, transfer in sorted(product(cases, transfers), key=lambda each: each != self.suspect):
+            self.tried = case, transfer
             start = self.machine(self)
             start.transfer = transfer
             for first, *others in self.saved[label]:
@@ -186,9 +188,9 @@ class Program:
                 self.prove(*stretch)
                 found.append(f"{address:#x} {mnemonic} {', '.join(operands)}")
             except Unprovable:
-                pass
+                self.suspect = self.tried
             self.code[address] = (mnemonic, operands, target, following)
-        self.stride = 1
+        self.stride, self.suspect = 1, None
         return found
 
     def run(self, every, needless, labels=None):

@@ -77,8 +77,8 @@ class Linear(Machine):
         self.computed = {}  # variable: its value by those of forms, for what is computed from others
         self.facts = []   # (low, form, high), either may be None
         self.named = {}   # form: the variable that represents it
-        self.solver, self.fixed, self.given = None, {}, ()
-        self.witnessed = 0, []
+        self.solver, self.fixed, self.given = None, {}, []
+        self.found = None  # values of all variables
         self.unequal = None  # what holds the exclusive or of `differing`
         self.memory = []     # bytes from address 0 on
         self.carry = self.tested = self.sign = self.signs = None
@@ -86,7 +86,7 @@ class Linear(Machine):
 
     def copy(self):
         other = super().copy()
-        other.solver, other.fixed, other.given, other.witnessed = None, {}, (), (0, [])
+        other.solver, other.fixed, other.given, other.found = None, {}, [], None
         for name in ("ranges", "computed", "facts", "named"):
             setattr(other, name, copy.copy(getattr(self, name)))
         return other
@@ -344,7 +344,8 @@ class Linear(Machine):
         """Whether the path is feasible under the given conditions, which are assumed from then
         on."""
         self.solver, self.told = z3.SolverFor("QF_LRA"), {}
-        self.given, self.witnessed = given, (0, [])
+        if given != self.given:
+            self.given, self.found = given, None
         self.fixed = {}  # carries that are known
         for low, form, high in (*self.facts, *given):
             if low == high and len(form) == 1 and form[name := next(iter(form))] == 1:
@@ -378,12 +379,12 @@ class Linear(Machine):
 
     def witnesses(self):
         """Values of all variables that satisfy everything that is known: what does not hold for them, z3 cannot show."""
-        known = (*self.facts, *self.given)
-        if len(known) != self.witnessed[0]:
-            tried = (Values(self, seed) for seed in range(TRIES))
-            self.witnessed = len(known), list(islice((
-                values for values in tried if all(values.satisfy(*fact) for fact in known)), ENOUGH))
-        return self.witnessed[1]
+        if self.found is None:
+            self.told_witnesses, self.found = 0, (Values(self, seed) for seed in range(TRIES))
+        facts = [*self.given, *self.facts][self.told_witnesses:]
+        self.found = list(islice((values for values in self.found if all(values.satisfy(*fact) for fact in facts)), ENOUGH))
+        self.told_witnesses += len(facts)
+        return self.found
 
     def settle(self):
         """Which carries, in the order in which they arose, cannot be 1, or cannot be 0."""
