@@ -203,7 +203,7 @@ std::vector<Case> contact_cases() {
         {"bounces_under_gravity", "contacts", "steps of 1000 bounces", "1", 1, 160000,
          "conserved: energy",
          [](double steps) {
-             Description made = on_floor(9.81, TimeStep::binary(8), unsigned(steps), 1);
+             Description made = on_floor(9.81, TimeStep::binary(8), unsigned(steps), 1.0);
              made.bodies = {ball({0, 1})};
              const auto highest = std::make_shared<double>(1);
              const Measure height = {[highest](const State& state, unsigned step) {
@@ -352,7 +352,8 @@ std::vector<Case> contact_cases() {
              made.planes = {{{1, 0}, 0, 1}, {{-1, 0}, -4, 1}, {{0, 1}, 0, 1}, {{0, -1}, -4, 1}};
              for (int i = 0; i < 8; ++i) {
                  const double turn = 2.399963 * i;  // the golden angle
-                 made.bodies.push_back(ball({0.5 + 1.0 * (i % 4), 1.0 + 2.0 * (i / 4)},
+                 const int column = i % 4, row = i / 4;
+                 made.bodies.push_back(ball({0.5 + column, 1.0 + 2.0 * row},
                                             {p * std::cos(turn), p * std::sin(turn)}));
              }
              made.restitution = 1;

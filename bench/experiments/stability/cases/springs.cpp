@@ -277,7 +277,7 @@ std::vector<Case> spring_cases() {
              const TimeStep dt = TimeStep::binary(2);
              const double omega = p / dt.value();
              const Description made =
-                 on_spring(omega * omega, 0, 1, dt, unsigned(std::ceil(4 * pi / p)), 1);
+                 on_spring(omega * omega, 0, 1, dt, unsigned(std::ceil(4 * pi / p)), 1.0);
              return Experiment{made, follows(
                                          made, 0,
                                          [omega](double t) {
