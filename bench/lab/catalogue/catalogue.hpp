@@ -51,13 +51,13 @@ inline std::vector<std::string> correctly_rounded_programs() {
 // correctly rounded arithmetic, one for numbers without a sign, one for the roundings, and the
 // rivals'.
 inline std::vector<std::string> programs() {
-#define PROGRAM_NAME(format, ...) \
-#format, #format "_angles", #format "_powers", #format "_auxiliary",
-    std::vector<std::string> names = {LIBRARY_FORMATS(PROGRAM_NAME) "unsigned", "roundings",
-                                      "rivals"};
+    std::vector<std::string> names;
+    for (const std::string& format : formats())
+        for (const char* part : {"", "_angles", "_powers", "_auxiliary"})
+            names.push_back(format + part);
+    for (const char* name : {"unsigned", "roundings", "rivals"}) names.emplace_back(name);
     for (const std::string& name : correctly_rounded_programs()) names.push_back(name);
     return names;
-#undef PROGRAM_NAME
 }
 
 }  // namespace catalogue
