@@ -12,6 +12,7 @@
 #include <cstring>
 #include <list>
 #include <new>
+#include <string>
 #include <utility>
 
 #include "bench/chip/simulator/hooks.hpp"
@@ -37,7 +38,7 @@ void widen(std::uint8_t*& memory, std::size_t size, std::uint8_t fill) {
 }
 
 avr_t* make_core() {
-    avr_t* const avr = avr_make_mcu_by_name(Elf::device.data());
+    avr_t* const avr = avr_make_mcu_by_name(std::string(Elf::device).c_str());
     if (!avr) throw SimulationError("libsimavr was built without the ATmega328P");
     avr_init(avr);
     widen(avr->data, Chip::ram_end, 0);
@@ -113,7 +114,7 @@ Chip::~Chip() {
     avr_free_irq(avr_->interrupts.irq, AVR_INT_IRQ_COUNT);
     for (auto& io_register : avr_->io) avr_free_irq(io_register.irq, AVR_IOMEM_IRQ_ALL + 1);
     avr_terminate(avr_);
-    std::free(avr_->irq_pool.irq);
+    std::free(static_cast<void*>(avr_->irq_pool.irq));
     std::free(avr_);
 }
 

@@ -20,7 +20,8 @@ class Output {
     }
     int descriptor() const { return fileno(file_.get()); }
     std::string text() const {
-        std::rewind(file_.get());
+        if (std::fseek(file_.get(), 0, SEEK_SET) != 0)
+            throw std::runtime_error("cannot read a temporary file");
         std::string text;
         char block[65536];
         for (std::size_t n; (n = std::fread(block, 1, sizeof block, file_.get())) > 0;)

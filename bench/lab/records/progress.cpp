@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <cmath>
 #include <cstdio>
 
 #include "bench/lab/pool.hpp"
@@ -11,7 +12,7 @@
 namespace records {
 
 std::string Progress::duration(double seconds) {
-    const int total = static_cast<int>(seconds + 0.5);
+    const long total = std::lround(seconds);
     return fmt::format("{}:{:02}", total / 60, total % 60);
 }
 
