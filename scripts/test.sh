@@ -7,9 +7,10 @@
 #   (none)   what must pass before a change goes in: all tests; the host's tests again under the
 #            sanitizers; deliberate faults, which the tests of each folder must notice; and the main
 #            job, bench/run_all.sh --quick
-#   --full   the same with clang-tidy on all sources, more deliberate faults, four minutes of fuzzing,
-#            10^7 steps of three scenes in the chip's machine code, every scene in every number format
-#            and method on the simulated chip, and an hour of random worlds
+#   --full   the same with clang-tidy on all sources, more deliberate faults, proofs that fail without
+#            each instruction instead of a sample, four minutes of fuzzing, 10^7 steps of three scenes
+#            in the chip's machine code, every scene in every number format and method on the simulated
+#            chip, and an hour of random worlds
 # To run one test: ctest --preset release -R NAME. Exit status: 0 if all passed, 1 if one failed,
 # 2 for a wrong call.
 set -euo pipefail
@@ -60,6 +61,8 @@ faults=()
 if [ $tier = full ]; then
     faults=(--full)
     part "clang-tidy on all sources" scripts/lint.sh --all
+    part "proofs without each instruction" env EVERY_INSTRUCTION=1 ctest --preset release \
+        --no-tests=error --parallel "$(nproc)" --tests-regex prove_
     part "set-up for fuzzing" scripts/setup.sh --fuzz
     part "fuzzing" cmake --build build/release --target fuzz
     part "soak of the chip's code" cmake --build build/release --target soak

@@ -26,8 +26,8 @@ The errors are added up for each interval of the table, in units of 2^-39. That 
 the arc tangent is expanded around PIECES points of each interval: the fourth derivative of the
 difference is that of the arc tangent alone, which is below 4.7. s is the slope from the start of
 the interval, not that at t, and is truncated: its contribution errs by at most the difference of
-the two. Then every eighth instruction is left out in turn, all of those that are run, and bytes of
-the table are changed, and each time the proof must fail.
+the two. Then instructions are left out in turn, and bytes of the table are changed, and each time
+the proof must fail.
 """
 
 import sys

@@ -40,8 +40,7 @@ from stretches import Linear, equal, kept, zeros
 NAME = "fixedpoint_divide_q32_32"
 TABLE = "fixedpoint_long_division_table"
 Q, D = range(18, 26), range(10, 18)
-# Every eighth instruction is left out.
-EVERY = 8
+EVERY = 8  # instructions, of which one is left out
 NEEDLESS = ("ret", "push", "pop")
 ON_ENTRY = (14, 13, 12, 11, 10, 29, 28, 9, 8, 7)
 

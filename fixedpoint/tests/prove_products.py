@@ -35,7 +35,7 @@ from pathlib import Path
 import z3
 
 from form import Form, known
-from machine_code import CALL_SAVED, Unprovable, disassemble, operand as decoded
+from machine_code import CALL_SAVED, SAMPLE, Unprovable, disassemble, operand as decoded
 from stretches import at_least, at_most, real
 
 SOURCE = Path(__file__).parent.parent / "src"
@@ -477,8 +477,8 @@ KERNELS = [Kernel(operation, *split)
            for split in splits if split[1] % 8 != 3]
 KERNELS += [Kernel("multiply", *split, "u") for split in [*SPLITS_16, *SPLITS_32] if split[1] % 8 != 3]
 
-# The number of instructions that are left out, spread evenly over a kernel: all of them in short
-# kernels. The macros of the others contain instructions that some splits do not need.
+# The number of instructions of which a sample is left out, spread evenly over a kernel: all of them
+# in short kernels. The macros of the others contain instructions that some splits do not need.
 MUTATIONS = {"multiply_q8_8": 99, "multiply_q8_16": 99, "multiply_q12_12": 12, "multiply_q16_16": 99,
              "multiply_u8_8": 99, "multiply_u16_16": 99, "multiply_u8_24": 8, "multiply_q8_24": 12,
              "multiply_q32_32": 8, "multiply_add_q16_16": 99, "dot2_q16_16": 99, "dot3_q8_16": 30,
@@ -502,7 +502,7 @@ def survivors(kernel, code, count):
     """The instructions without which the proof still succeeds, among `count` that are left out."""
     addresses = sorted(a for a in kernel.visited if code[a][0] not in ("ret", *CHOICES))
     found = []
-    for address in addresses[::-(-len(addresses) // count)]:
+    for address in addresses[::-(-len(addresses) // count) * SAMPLE]:
         mutated = dict(code)
         mutated[address] = ("nop", [], None, code[address][3])
         try:

@@ -30,9 +30,8 @@ from stretches import Linear, equal, zeros
 
 NAME = "fixedpoint_divide_q16_16"
 TABLE = "fixedpoint_reciprocal_table"
-# Every eighth instruction is left out, except those that skip digits of 0, clear what is already 0,
-# or test such bytes.
-EVERY = 8
+EVERY = 8  # instructions, of which one is left out
+# They skip digits of 0, clear what is already 0, or test such bytes.
 NEEDLESS = ("breq", "eor", "or", "ret")
 
 

@@ -39,8 +39,7 @@ NAME = "fixedpoint_sqrt_q32_32"
 A = range(18, 26)
 ROOT = (29, 28, 17, 16, 15, 14)  # the highest byte first
 ZERO, INVERSE, SHIFT, COUNT, DIGIT, HALF = 12, 13, 11, 10, 27, 30
-# Every eighth instruction is left out.
-EVERY = 8
+EVERY = 8  # instructions, of which one is left out
 NEEDLESS = ("ret", "push", "pop")
 SHIFTS = [1 << i for i in range(8)]
 SAVED = (10, 11, 12, 13, 14, 15, 16, 17, 28, 29)

@@ -26,7 +26,7 @@ Proven for the stretch after each label:
 
 Since 0 <= X < 256 D, the q with 0 <= X - q D < D is a byte, whatever has been carried out of its register on the way; and Q,
 which begins with j < 4, has at most four bytes. Each step of `subtract` and `add` brings Y closer to the end of their loops.
-Then every fourth instruction, and every one of those that are run, is left out in turn; each time the proof must fail.
+Then instructions are left out in turn, and each time the proof must fail.
 """
 
 import sys

@@ -9,8 +9,8 @@ usage: prove_split_products.py [--kernel NAME]
     entry    P = floor(a b / 2^(8 f)) in the upper bytes of the sum, f = floor((F - 1) / 8)        by linear forms
     sum      floor((P + 2^(F - 8 f - 1)) / 2^(F - 8 f)), saturated or modulo 2^W                   by bits
 
-Then each instruction is left out in turn, and the proof must fail: of the kernel that is named, otherwise of one
-for each way of shifting.
+Then instructions are left out in turn, and the proof must fail: of the kernel that is named, otherwise of one for
+each way of shifting.
 """
 
 import argparse

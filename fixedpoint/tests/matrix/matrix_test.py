@@ -35,7 +35,10 @@ STANDARDS = [11, 14, 17, 20, 23]
 MULTIPLYING = ["atmega328p", "atmega32u4", "atmega1284p", "atmega2560"]
 PLAIN = ["attiny85", "attiny1634"]
 NEVER_RUN = ["atxmega128a1", "avrxmega3", "avrxmega4"]  # the last two: the cores of AVR-0/1 and -Dx
-KERNEL_FORMATS = "q4_4|q8_8|q8_16|q12_12|q16_16|q32_32|q8_24|q1_15|u4_4|u8_8|u0_16|u16_16|u0_32"
+# The formats of everything.cpp. What only a standard or a compiler warns of shows in a few of them.
+FEW = "-DFEW_FORMATS"
+FEW_KERNEL_FORMATS = "q4_4|q8_8|q8_16|q16_16|u8_8|u16_16"
+KERNEL_FORMATS = FEW_KERNEL_FORMATS + "|q12_12|q32_32|q8_24|q1_15|u4_4|u0_16|u0_32"
 HOST_AS_AVR = ["-D__AVR__", "-D__AVR_HAVE_MUL__", f"-I{here / 'host_avr'}"]
 # avr-libc's <stdint.h> defines its limits for C++ only on request.
 CLANG_AVR = ["clang++-19", "--target=avr", "-nostdlibinc", "-isystem", "/usr/lib/avr/include",
@@ -150,15 +153,16 @@ def kernels(name, standard, chip, *options):
     return f"{len(called)} kernels"
 
 
-def everything(name, standard, chip):
+def everything(name, standard, chip, *options):
     """Every kernel of the formats used is called through the public functions too, without a
     warning from their headers, except the steps of a solver, which the engine calls, and what decides ties, which
     a kernel calls."""
     # clang runs out of registers where it does not optimise.
     level = "-O0" if name == "avr-g++" else "-Os"
-    called = undefined([compiled(EVERYTHING["fixedpoint"], name, standard, chip, level)])
+    called = undefined([compiled(EVERYTHING["fixedpoint"], name, standard, chip, level, *options)])
+    formats = FEW_KERNEL_FORMATS if FEW in options else KERNEL_FORMATS
     expected = set() if chip in PLAIN else {
-        symbol for symbol in symbols_of(name) if re.search(rf"_({KERNEL_FORMATS})(_|$)", symbol)
+        symbol for symbol in symbols_of(name) if re.search(rf"_({formats})(_|$)", symbol)
         and not re.search(r"_(angle_reaches|multiply_short|(square|project|dot_difference|add_scaled|exchange)[23]|transform|matrix_product(_2)?"
                           r"|(twice_)?cross|cofactors|(quaternion|complex)_\w+)_", symbol)}
     if not expected <= called or (not expected and called):
@@ -313,7 +317,8 @@ def cells():
     """(group, row, column, function, arguments)"""
     for name in ("g++", "clang++"):
         for standard in STANDARDS:
-            options = ["-DHOST_HEADERS", *(["-DFORMAT_HEADER"] if standard >= 14 else [])]
+            options = ["-DHOST_HEADERS", *(["-DFORMAT_HEADER"] if standard >= 14 else []),
+                       *([FEW] if standard not in (STANDARDS[0], STANDARDS[-1]) else [])]
             for library in EVERYTHING:
                 yield "headers", f"{library} {name}", f"gnu++{standard}", headers, (
                     library, name, standard, None, *options)
@@ -326,7 +331,7 @@ def cells():
         # The firmware's interrupts are avr-gcc's.
         for library in ("fixedpoint", "engine") if standard != 14 else ("engine",):
             yield "headers", f"{library} clang++ avr", f"gnu++{standard}", headers, (
-                library, "clang++ avr", standard, "atmega328p")
+                library, "clang++ avr", standard, "atmega328p", *([FEW] if standard in (17, 20) else []))
     for options in ("-Os", "-O2", "-flto"):
         yield "kernels", "g++ as AVR", options, kernels, ("g++", 14, None, options, *HOST_AS_AVR)
     yield "kernels", "clang++ as AVR", "-O2", kernels, ("clang++", 14, None, "-O2", *HOST_AS_AVR)
@@ -339,11 +344,10 @@ def cells():
                 yield "kernels", row, chip, kernels, (name, standard, chip)
             yield "kernels", row, "no assembly", kernels, (
                 name, standard, "atmega328p", "-DFIXEDPOINT_NO_ASSEMBLY")
-    for chip in ("atmega328p", "attiny85"):
-        yield "public", "avr-g++ gnu++14", chip, everything, ("avr-g++", 14, chip)
-    yield "public", "avr-g++ gnu++11", "atmega328p", everything, ("avr-g++", 11, "atmega328p")
-    yield "public", "clang++ avr gnu++14", "atmega328p", everything, (
-        "clang++ avr", 14, "atmega328p")
+    yield "public", "avr-g++ gnu++14", "atmega328p", everything, ("avr-g++", 14, "atmega328p")
+    for name, standard, chip in (("avr-g++", 14, "attiny85"), ("avr-g++", 11, "atmega328p"),
+                                 ("clang++ avr", 14, "atmega328p")):
+        yield "public", f"{name} gnu++{standard}", f"{chip}, few formats", everything, (name, standard, chip, FEW)
     for chip in MULTIPLYING + PLAIN + NEVER_RUN:
         yield "assembly", "avr-gcc", chip, assembles, (chip,)
     for chip in ("atmega328p", "avrxmega4"):
