@@ -332,3 +332,11 @@ def write(path, templates, data, write_whole):
         write_whole(path, page(templates, data))
     except NoRegistry as reason:
         print(f"report: {path.name} is not written: {reason}", file=sys.stderr)
+
+
+if __name__ == "__main__":
+    # Before the tests: packages that come while others run would change the folders that a build looks at.
+    try:
+        install()
+    except NoRegistry as reason:
+        print(f"explorer: {reason}", file=sys.stderr)
