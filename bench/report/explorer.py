@@ -335,8 +335,8 @@ def write(path, templates, data, write_whole):
 
 
 if __name__ == "__main__":
-    # Before the tests: packages that come while others run would change the folders that a build looks at.
+    # What cannot be installed is told here; the test of the page skips or fails.
     try:
         install()
-    except NoRegistry as reason:
+    except (NoRegistry, DataError) as reason:
         print(f"explorer: {reason}", file=sys.stderr)
