@@ -12,8 +12,10 @@ differ. Q = 2^32 n / d is sought; c digits remain, at least one. For divisors be
     in_range      Q = n 256^(c-1) / d, and d of c bytes more is D, once multiplied by 2^k
     skip, digit   row = U 2^64 + the bytes to come, with the digits so far below them; U < D
                   and Q = 256^c row / (2^64 D) at first; the bytes of row that are digits then are 0
-    compare       the estimate of the digit g, and u, the highest three bytes of U (long_division.py)
-    estimated     u = g h + r, r < h, where h is the highest two bytes of D; a digit of 0 may be 256
+    compare       the estimate of the digit g, and u, the highest three bytes of U (long_division.py);
+                  at `full`, it is 256
+    estimated     u = g h + r, r < h, where h is the highest two bytes of D; at `zero`, g = 0, and at
+                  `whole`, g = 256
     next          R = 256 U + the next byte - g D, and 0 <= R < D
     high          the same, and R < 0, but above -D / 2^7: the digit that is kept is g - 1
     .Lcompare     U < D; .Lround_up: U is negative, and the last digit that is kept is 1 less
@@ -240,6 +242,7 @@ def counted(m, of, before, last):
 
 
 def estimate(of, m, small, exact=False):
+    """The digits that are exact have one way for all estimates."""
     h, _, d, divided = begin_digit(of, m)
     m.zero(*(D[:3] if exact else ()))
     hold_reciprocal(m, of.inverse, h, small)
@@ -251,6 +254,8 @@ def estimate(of, m, small, exact=False):
     def check(m, end):
         show_estimate(m, small, v, h, u2, u1, u0, *of.u[:2])
         m.show(*same(m))
+        if not exact:
+            m.show((0, m.registers[DIGIT], 0) if end == of.label("full") else (1, m.registers[DIGIT], 255))
     return check
 
 
@@ -275,7 +280,9 @@ def compare(of, m, over, which):
 
     def check(m, end):
         digit, right = corrected(m, h, t, u, m.registers[DIGIT], m.number(of.u[:2]))
-        m.show(*right, (0, digit, 256), (0, digit - m.registers[DIGIT], 256), *same(m))
+        least = {of.label("zero"): 0, of.label("whole"): 256}
+        m.show(*right, (least.get(end, 0), digit, least.get(end, 255)), *same(m),
+               equal(m.registers[DIGIT], known(0) if end == of.label("whole") else digit))
     return check
 
 
@@ -297,9 +304,9 @@ def exact_compare(m, over, which):
     return check
 
 
-def subtract(of, m, over):
+def subtract(of, m, over, zero=False):
     h, tail, d, _ = begin_digit(of, m)
-    if over:
+    if over or zero:
         m.zero(DIGIT)
     digit, rest = m.registers[DIGIT] + known(over), m.number(of.u[:2])
     m.hold(1, h - rest)
@@ -427,10 +434,14 @@ def rounded(of, m, up):
 
 def of_digits(of):
     label = of.label
-    yield label("compare"), partial(compare, of), (label("estimated"),), of.saved, ESTIMATES
-    yield label("digit"), partial(estimate, of), (label("compare"),), of.saved, [(True,), (False,)]
+    corrected_at = label("zero"), label("estimated"), label("whole")
+    for place, over in ("compare", 0), ("full", 256):
+        yield label(place), partial(compare, of), corrected_at, of.saved, [case for case in ESTIMATES if case[0] == over]
+    yield label("digit"), partial(estimate, of), (label("compare"), label("full")), of.saved, [(True,), (False,)]
     ends = (label("next"), label("high"))
-    yield label("estimated"), partial(subtract, of), ends, of.saved, [(0,), (256,)]
+    yield label("estimated"), partial(subtract, of), ends, of.saved, [(0,)]
+    yield label("zero"), partial(subtract, of, zero=True), ends, of.saved, [(0,)]
+    yield label("whole"), partial(subtract, of), ends, of.saved, [(256,)]
 
 
 POWERS = [(k,) for k in range(8)]
@@ -449,7 +460,7 @@ def short_stretches():
     yield from of_digits(SHORT)
     yield ".Lshort_next", partial(following, SHORT), (".Lshort_digit", ".Lcompare"), saved
     yield ".Lshort_high", partial(high, SHORT), (".Lshort_next", ".Lround_up"), saved, [(0,), (256,)]
-    yield ".Lcompare", partial(rounded, SHORT, up=False), (".Lround_up", None), saved
+    yield ".Lcompare", partial(rounded, SHORT, up=False), (None,), saved
     yield ".Lround_up", partial(rounded, SHORT, up=True), (None,), saved
 
 
@@ -462,7 +473,7 @@ def long_stretches():
     yield from of_digits(LONG)
     yield ".Llong_next", partial(following, LONG), (".Llong_digit", ".Llong_round"), saved
     yield ".Llong_high", partial(high, LONG), (".Llong_next", ".Llong_round_up"), saved, [(0,), (256,)]
-    yield ".Llong_round", partial(rounded, LONG, up=False), (".Llong_round_up", None), saved
+    yield ".Llong_round", partial(rounded, LONG, up=False), (None,), saved
     yield ".Llong_round_up", partial(rounded, LONG, up=True), (None,), saved
 
 

@@ -15,9 +15,10 @@ Proven for the stretch after each label:
     entry       X = n, D = d 2^(8 (j - 2)), Q = 0; T: the signs differ                                by bits
     bit         X and D are doubled, until bit 31 of D is set                                          by bits
     scaled      a reciprocal of the upper byte of D, whose estimate q of X / D is such that q 2^24 times
-                that byte, or that byte plus 1, differs from every X by less than FAR                  by running it
+                that byte, or that byte plus 1, differs from every X by less than FAR; q is a byte
+                even before it is increased by 1                                                       by running it
     first       X < D: a byte 0 is appended to X, and j is 1 less; or j < 4; or 2^(8 j) X / D > 2^31   by bits
-    digit       q is the estimate                                                                      by running it
+    digit       q is that estimate                                                                     by running it
     multiple    Y = X - q D, hence |Y| < FAR                                                           by linear forms
     subtract    q is 1 more, Y is D less, until Y < 0                                                  by bits
     add         q is 1 less, Y is D more, until Y >= 0: then Y < D; X = 256 Y, and j is 1 less         by bits
@@ -101,6 +102,11 @@ def estimate(top, reciprocal):
     return numpy.minimum(top + (top * reciprocal >> 8) + 1, 255)
 
 
+def fits(top, reciprocal):
+    """The estimate is a byte before it is increased."""
+    return top + (top * reciprocal >> 8) < 256
+
+
 def pairs(least):
     """Of bytes, the first of them from `least` on."""
     return (part.ravel().astype(numpy.int64) for part in numpy.meshgrid(numpy.arange(least, 256), numpy.arange(256)))
@@ -116,7 +122,9 @@ def scaled(m):
         # Since X < 256 D.
         upper, top = upper[top <= upper], top[top <= upper]
         demand(isinstance(m.registers[RECIPROCAL], numpy.ndarray))
-        q = estimate(top, m.registers[RECIPROCAL][upper - 128])
+        reciprocal = m.registers[RECIPROCAL][upper - 128]
+        demand(fits(top, reciprocal).all())
+        q = estimate(top, reciprocal)
         demand(((top + 1 << 32) - (q * upper << 24) < FAR).all() and ((top << 32) - (q * (upper + 1) << 24) > -FAR).all())
     return check
 
@@ -142,8 +150,9 @@ def first(m):
 
 
 def digit(m):
-    """For any reciprocal."""
-    m.given["reciprocal"], m.given["top"] = pairs(0)
+    """For any reciprocal whose estimate is a byte before it is increased."""
+    reciprocal, top = pairs(0)
+    m.given["reciprocal"], m.given["top"] = (part[fits(top, reciprocal)] for part in (reciprocal, top))
     m.place(m.given["top"], X[4:])
     m.place(m.given["reciprocal"], (RECIPROCAL,))
 

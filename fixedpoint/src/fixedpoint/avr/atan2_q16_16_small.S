@@ -80,11 +80,10 @@
 
     movw numerator0, n0
     mov numerator2, n2
-    ldi z0, 0x10
+    ldi z0, 0x1f        // four bits, and four ones above them
     rcall .Lbit
     com z0
     swap z0
-    andi z0, 0xf0
     mul_add_upper numerator0, z0, d0, zero, d1, d2
     mul_add numerator1, z0, d0, d1, zero, d2
     mul_add numerator2, z0, d1, d2

@@ -13,7 +13,7 @@
 // than four remaining digits saturate. b = 0 is taken as 2^-17: every a but 0 then saturates.
 //
 // A digit is estimated from the upper byte of the dividend X and a reciprocal of D; digit D is
-// subtracted. The estimate is off by -3 to 4 units: D is subtracted until X is negative, then added
+// subtracted. The estimate is off by -3 to 3 units: D is subtracted until X is negative, then added
 // until it no longer is. The digit is thus exact whatever the estimate.
 //
 // Finally the remainder R decides the rounding: up if R >= D - R, but for a negative quotient only
@@ -38,9 +38,9 @@
 // 2^40 / D - 256.
 #define reciprocal r17
 
-// The coefficients with the fewest corrections.
-#define C0 149
-#define C2 216
+// The coefficients with the fewest corrections among those whose estimates are at most 256.
+#define C0 145
+#define C2 223
 
     FUNCTION fixedpoint_divide_q16_16_small
     push_all r17, r28, r29
@@ -91,8 +91,7 @@
     mul x4, reciprocal
     sec
     adc q0, r1
-    brcc .Lmultiple
-    ldi q0, 255
+    sbci q0, 0          // 256 becomes 255
 .Lmultiple:
     mul q0, d0
     sub x0, r0

@@ -54,15 +54,38 @@
 #define d7 r17
 #define power r26
 
-    // digit = u2:u1:u0 / h1:h0, u1:u0 = the remainder; digit 0 with u2 != 0 stands for 256.
+    // digit = u2:u1:u0 / h1:h0, u1:u0 = the remainder; digit 0 continues at
+    // .L<name>_next, 256 at .L<name>_whole.
     .macro estimate u2, u1, u0, h1, h0, inverse, name
-    estimate_digit \u2, \u1, \u0, \h1, \h0, \inverse
+    estimate_digit \u2, \u1, \u0, \h1, \h0, \inverse, .L\name\()_full, .L\name\()_none
+.L\name\()_tried:
     cp \u0, \h0
     cpc \u1, \h1
     brcc .L\name\()_low
 .L\name\()_estimated:
-    tst digit
-    breq .L\name\()_zero
+    .endm
+    // Out of line, and followed by .L<name>_whole: 0, 256, and estimates that are 1 too small.
+    .macro unlikely_estimates u1, u0, h1, h0, name
+.L\name\()_none:
+    add \u0, \h0
+    adc \u1, \h1
+    cp \u0, \h0
+    cpc \u1, \h1
+    brcc .L\name\()_low
+.L\name\()_zero:
+    rjmp .L\name\()_next
+.L\name\()_full:
+    cp \u1, estimate_low
+    brcs .L\name\()_whole
+    dec digit
+    add \u0, \h0
+    adc \u1, \h1
+    rjmp .L\name\()_tried
+.L\name\()_low:
+    sub \u0, \h0
+    sbc \u1, \h1
+    inc digit
+    brne .L\name\()_estimated
     .endm
 
     // power = 2^k that moves the leading one of `byte` to bit 7.
@@ -115,11 +138,21 @@
     brpl 1f
     negate_q
 1:  tst d7
-    brpl 1f
-    rjmp .Lnegative_divisor
-1:  or_bytes r0, d5, 3
+    brmi .Lnegative_divisor
+    or_bytes r0, d5, 3
     breq .Lshort
     rjmp .Llong
+2:  rjmp .Lnegative_long
+.Lnegative_divisor:
+    mov r0, d5
+    and r0, d6
+    and r0, d7
+    com r0
+    brne 2b
+    com_bytes d1, 4
+    neg d0
+    sbc_each d1, d5, 4
+    brcc 2b
 
 .Lshort:
     or_bytes r0, q5, 3
@@ -168,17 +201,7 @@
     mov d4, r0
     mul_or_bytes d0, power, d0, 4
     or_bytes r0, q5, 3
-    brne .Llong_dividend
-    mul q4, power
-    mov u4, r1
-    mov u3, r0
-    mul_or q3, power, u2, u3
-    mul_or_bytes q1, power, u0, 2
-    mul_or q0, power, q7, u0
-    clr q4
-    rjmp 3f
-.Llong_dividend:
-    subi count, -3
+    breq .Lshort_dividend
     tst q7
     brne 2f
     tst q6
@@ -191,13 +214,21 @@
 1:  mov_from_top q1, q0, 7
     clr q0
     dec count
-2:  mul q7, power
-    mov u4, r1
-    mov u3, r0
+2:  subi count, -3
+    mul q7, power
+    movw u3, r0
     mul_or q6, power, u2, u3
     mul_or_bytes q4, power, u0, 2
     mul_or q3, power, q7, u0
     mul_or_bytes q0, power, q4, 3
+    rjmp 3f
+.Lshort_dividend:
+    mul q4, power
+    movw u3, r0
+    mul_or q3, power, u2, u3
+    mul_or_bytes q1, power, u0, 2
+    mul_or q0, power, q7, u0
+    clr q4
 3:  clr q0
     clr q1
     movw q2, q0
@@ -234,17 +265,9 @@
     brne .Lexact_digit
     rjmp .Lcompare
 
-.Lshort_low:
-    inc digit
-    sub u2, d3
-    sbc u3, d4
-    rjmp .Lshort_estimated
-
-.Lshort_zero:
-    tst u4
-    brne 1f
-    rjmp .Lshort_next
-1:  sub_bytes u0, d0, 3
+    unlikely_estimates u3, u2, d4, d3, short
+.Lshort_whole:
+    sub_bytes u0, d0, 3
     sbc u3, zero
     rjmp .Lshort_high
 
@@ -276,19 +299,25 @@
     rol u3
     rol u4
     brcs 2f
-    brtc 1f
+    brts 1f
     sec
-1:  cpc_bytes u0, d0, 3
-    cpc u3, d3
-    cpc u4, d4
-    rjmp 3f
-.Lround_up:
-2:  clc
+1:  cpc_bytes d0, u0, 3
+    cpc d3, u3
+    cpc d4, u4
     // d7..d5 are the sign of b again.
-3:  pop d7
+2:  pop d7
     mov d6, d7
     mov d5, d7
-    rjmp .Lround
+
+    // One more if the carry is set; then the complement is the negative.
+.Lround:
+    clr r1
+    brts .Lround_negative
+    adc_each q0, r1, 8
+    brmi .Lsaturate
+.Lrestore:
+    pop_all r7, r8, r9, r28, r29, r10, r11, r12, r13, r14
+    ret
 
     // The remainder is negative: the digit is 1 less, and the next one -1 or -2.
 .Lshort_high:
@@ -315,33 +344,27 @@
     subi q7, 0x80
     rjmp .Lrestore
 
-    // One more if the carry is clear; then the complement is the negative.
-.Lround:
-    brts .Lround_negative
-    sbci_each q0, 0xff, 8
-    brmi .Lsaturate
-.Lrestore:
-    clr r1
-    pop_all r7, r8, r9, r28, r29, r10, r11, r12, r13, r14
-    ret
-
 .Lround_negative:
-    brcs 1f
+    brcc 1f
     com q0
     com_bytes q1, 7
     rjmp .Lrestore
 1:  negate_q
     rjmp .Lrestore
 
+.Lround_up:
+    sec
+    rjmp 2b
+
     // b may be zero, and then a, too.
 .Lout_of_range:
+    clr r1
     pop d7
     mov d6, d7
     mov d5, d7
     or_bytes r0, q0, 8
-    breq 1f
-    rjmp .Lsaturate
-1:  rjmp .Lrestore
+    brne .Lsaturate
+    rjmp .Lrestore
 #undef u0
 #undef u1
 #undef u2
@@ -383,18 +406,8 @@
     clr u0
     .endm
 
-.Lnegative_divisor:
-    mov r0, d5
-    and r0, d6
-    and r0, d7
-    com r0
-    brne 1f
-    com_bytes d1, 4
-    neg d0
-    sbc_each d1, d5, 4
-    brcc 1f
-    rjmp .Lshort
-1:  push d6
+.Lnegative_long:
+    push d6
     push d5
     com_bytes d1, 7
     ldi r26, 0xff
@@ -434,17 +447,9 @@
     invert inverse, d7, d6
     rjmp .Llong_digit
 
-.Llong_low:
-    inc digit
-    sub u6, d6
-    sbc u7, d7
-    rjmp .Llong_estimated
-
-.Llong_zero:
-    tst u8
-    brne 1f
-    rjmp .Llong_next
-1:  sub_bytes u1, d0, 6
+    unlikely_estimates u7, u6, d7, d6, long
+.Llong_whole:
+    sub_bytes u1, d0, 6
     sbc u7, zero
     rjmp .Llong_high
 
@@ -512,17 +517,17 @@
     brcc 1b
     rjmp .Llong_next
 
-    // Carry clear if 2 r >= |d| or, for a negative quotient, 2 r > |d|.
+.Llong_round_up:
+    sec
+    rjmp 2f
+    // Carry set if 2 r >= |d| or, for a negative quotient, 2 r > |d|.
 .Llong_round:
     lsl_bytes u0, 8
     brcs 2f
-    brtc 1f
+    brts 1f
     sec
-1:  cpc_bytes u0, d0, 8
-    rjmp 3f
-.Llong_round_up:
-2:  clc
-3:  pop_all q0, q1, q2, q3, q4, q5, q6
+1:  cpc_bytes d0, u0, 8
+2:  pop_all q0, q1, q2, q3, q4, q5, q6
     ldi q7, 0
     pop_all r4, r5, r6, d5, d6, d7
     rjmp .Lround

@@ -45,24 +45,21 @@
 #define p r31
 #define zero r31
 
-    SECTION fixedpoint_log_q16_16_small
-.Lnone:
-    ldi_bytes r22, 0x80000000, 4
-    ret
-
-    ENTRY fixedpoint_log_q16_16_small
+    FUNCTION fixedpoint_log_q16_16_small
     tst r25
     brmi .Lnone
     ldi_bytes sum0, START, 4
-.Lbyte:
-    tst r25
     brne .Lbit
+.Lbyte:
     mov_from_top r23, r22, 3
     mov r22, r1
     subi_bytes sum0, (8 * LN2), 4
-    brpl .Lbyte
-    tst r25             // the lowest byte
-    breq .Lnone
+    cpse r25, r1
+    rjmp .Lbit
+    brpl .Lbyte         // three times at most
+.Lnone:
+    ldi_bytes r22, 0x80000000, 4
+    ret
 .Lbit:
     subi_bytes sum0, LN2, 4
     lsl_bytes r22, 4

@@ -18,19 +18,25 @@ struct QuarterTurns {
     uint64_t rest;
 };
 FIXEDPOINT_IN_PLACE QuarterTurns nearest_quarter_turns(uint32_t positive) {
-    constexpr uint32_t two_over_pi = 683565276;                // 2^-30
-    constexpr uint32_t half_pi[2] = {0xc90fdaa2, 0x2168c234};  // 2^-31 and 2^-63
-    constexpr uint16_t below = 0xc4c6;                         // 2^-79
+    constexpr uint32_t two_over_pi = 0xa2f9836e;  // 2^-32
     const uint16_t quarters =
-        upper_half((upper_product<uint32_t, 0>(positive, two_over_pi) + (uint32_t(1) << 13)) << 2);
-    // The chip's compiler shifts by 16 with moves, but by 15 in a loop.
-    const uint32_t scaled = static_cast<uint32_t>(static_cast<uint16_t>(positive >> 1)) << 16 |
-                            ((positive & 1) != 0 ? 0x8000 : 0);
-    const uint64_t rest = join_words(scaled - half_pi[0] * quarters, 0) -
-                          (multiply_words(half_pi[1], quarters) +
-                           upper_half(static_cast<uint32_t>(quarters) * below));
-    const bool is_before = (upper_word(rest) >> 31) != 0;
-    return {quarters, !is_before, is_before ? 0 - rest : rest};
+        upper_half(upper_product<uint32_t, 0>(positive, two_over_pi) + (uint32_t(1) << 15));
+    // The quarters in units of 2^-63, modulo 2, by five digits of pi/2; the lowest only carries.
+    const uint32_t sum0 =
+        multiply_halves(quarters, 0xc234) + upper_half(multiply_halves(quarters, 0xc4c6));
+    const uint32_t sum1 = multiply_halves(quarters, 0x2168) + upper_half(sum0);
+    const uint32_t sum2 = multiply_halves(quarters, 0xdaa2) + upper_half(sum1);
+    const uint16_t sum3 = static_cast<uint16_t>(quarters * uint16_t(0xc90f) + upper_half(sum2));
+    const uint32_t upper = join_halves(sum3, static_cast<uint16_t>(sum2));
+    const uint32_t lower = join_halves(static_cast<uint16_t>(sum1), static_cast<uint16_t>(sum0));
+    // The angle modulo 2, of which the lower word is 0: a shift by 15 would be a loop on the chip.
+    const uint32_t scaled =
+        (positive << 16 >> 1) | ((positive & 0x10000) != 0 ? uint32_t(1) << 31 : 0);
+    const uint32_t beyond = scaled - upper - (lower != 0 ? 1 : 0);
+    if (beyond >> 31 != 0) {
+        return {quarters, false, join_words(upper - scaled, lower)};
+    }
+    return {quarters, true, join_words(beyond, 0 - lower)};
 }
 
 // The magnitude of the sine or cosine of `rest` 2^-63 in units of 2^-64; 1 is represented by one

@@ -43,6 +43,9 @@ FIXEDPOINT_IN_PLACE uint64_t join_words(uint32_t upper, uint32_t lower) {
 #endif
 
 constexpr uint16_t upper_half(uint32_t a) { return static_cast<uint16_t>(a >> 16); }
+constexpr uint32_t join_halves(uint16_t upper, uint16_t lower) {
+    return static_cast<uint32_t>(upper) << 16 | lower;
+}
 // The low three bytes of `upper` followed by the highest byte of `lower`.
 constexpr uint32_t word_from_byte_3(uint32_t upper, uint32_t lower) {
     return upper << 8 | static_cast<uint8_t>(lower >> 24);
