@@ -59,13 +59,13 @@ def lever_steps(data):
     what distinguishes the program, mean cycles, flash."""
     table = []
     for row in data.some("features", scene="lever", feature="arithmetic=Nearest", **{"with": "yes"}):
-        table.append(("Q16.16", "features", "-O2; a particle on an anchored rod, pushed in each step",
+        table.append(("Q16.16", "features", "-O2, --relax; a particle on an anchored rod, pushed in each step",
                       row["cycles_per_step_mean"], row["flash_bytes"]))
     for scalar, arithmetic in (("q16_16", "nearest"), ("float", "avr-libc")):
         for row in data.some("scenes", scene="lever", scalar=scalar, arithmetic=arithmetic, integrator="semi_implicit_euler",
                              dt=1 / 256):
             table.append((style.format_label(row["scalar"]), "scenes",
-                          "-O2; steps of 1/256 s, positions sent as they are reached",
+                          "-O2, --relax; steps of 1/256 s, positions sent as they are reached",
                           row["cycles_per_step_mean"], row["flash_bytes"]))
     for number_format in ("q16_16", "float"):
         flash = {row["reason"]: row["measured"] for row in data.rows("workload", arithmetic=number_format, quantity="lever_flash")}
