@@ -8,9 +8,9 @@
 #            sanitizers; deliberate faults, which the tests of each folder must notice; and the main
 #            job, bench/run_all.sh --quick
 #   --full   the same with clang-tidy on all sources, more deliberate faults, proofs that fail without
-#            each instruction instead of a sample, four minutes of fuzzing, 10^7 steps of three scenes
-#            in the chip's machine code, every scene in every number format and method on the simulated
-#            chip, and an hour of random worlds
+#            each instruction instead of a sample, every standard of C++ with every compiler, four
+#            minutes of fuzzing, 10^7 steps of three scenes in the chip's machine code, every scene in
+#            every number format and method on the simulated chip, and an hour of random worlds
 # To run one test: ctest --preset release -R NAME. Exit status: 0 if all passed, 1 if one failed,
 # 2 for a wrong call.
 set -euo pipefail
@@ -43,7 +43,8 @@ part() {
     times+=("$(printf '%6d s  %s%s' $((SECONDS - start)) "$name" "$([ $status = 0 ] || echo ': FAILED')")")
     [ $status = 0 ] || exit 1
 }
-run_tests() { ctest --preset "$1" --no-tests=error --parallel "$(nproc)" --output-on-failure "${@:2}"; }
+# One more than there are cores: some tests wait for a board, a browser or a terminal.
+run_tests() { ctest --preset "$1" --no-tests=error --parallel "$(($(nproc) + 1))" --output-on-failure "${@:2}"; }
 
 part "set-up" scripts/setup.sh --tests
 if [ $tier = quick ]; then
@@ -61,8 +62,9 @@ faults=()
 if [ $tier = full ]; then
     faults=(--full)
     part "clang-tidy on all sources" scripts/lint.sh --all
-    part "proofs without each instruction" env EVERY_INSTRUCTION=1 ctest --preset release \
-        --no-tests=error --parallel "$(nproc)" --tests-regex prove_
+    part "proofs without each instruction, every compiler and standard" \
+        env EVERY_INSTRUCTION=1 EVERY_CELL=1 ctest --preset release \
+        --no-tests=error --parallel "$(nproc)" --tests-regex 'prove_|/matrix$'
     part "set-up for fuzzing" scripts/setup.sh --fuzz
     part "fuzzing" cmake --build build/release --target fuzz
     part "soak of the chip's code" cmake --build build/release --target soak

@@ -25,7 +25,7 @@ struct Cost {
 std::vector<Cost> costs_on_chip();
 
 // For discs in the plane on this machine, in nanoseconds, from 16 to `most`, which must be at most
-// 16,384. Every pair only up to 4,096.
-std::vector<Cost> costs_on_host(unsigned most);
+// 16,384. Every pair only up to 4,096. Each box is run `rounds` times, which must be at least 1.
+std::vector<Cost> costs_on_host(unsigned most, unsigned rounds);
 
 }  // namespace growth

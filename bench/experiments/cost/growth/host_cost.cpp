@@ -67,7 +67,7 @@ constexpr Kind kinds[] = {
 
 }  // namespace
 
-std::vector<Cost> costs_on_host(unsigned most) {
+std::vector<Cost> costs_on_host(unsigned most, unsigned rounds) {
     std::vector<Cost> costs;
     std::vector<Timed> worlds;
     for (const Kind& kind : kinds)
@@ -81,7 +81,7 @@ std::vector<Cost> costs_on_host(unsigned most) {
                              .pairs = kind.pairs ? kind.pairs(n) : 0});
         }
     records::Progress progress("growth on the host", rounds * worlds.size());
-    const auto times = time_steps(worlds, [&] { progress.advance(); });
+    const auto times = time_steps(worlds, rounds, [&] { progress.advance(); });
     for (std::size_t i = 0; i < costs.size(); ++i) {
         costs[i].per_step = times[i].per_step;
         costs[i].runs = times[i].runs;

@@ -51,7 +51,7 @@ Time of_runs(std::vector<double> runs, unsigned steps) {
 
 }  // namespace
 
-std::vector<Time> time_steps(const std::vector<Timed>& worlds,
+std::vector<Time> time_steps(const std::vector<Timed>& worlds, unsigned rounds,
                              const std::function<void()>& progress) {
     const Pinned pinned;
     std::vector<std::vector<double>> runs(worlds.size());

@@ -26,13 +26,12 @@ struct Time {
     std::size_t runs, rejected;
 };
 
-// The time of each world. Every run makes the same steps of the same world. Rounds over all worlds
-// distribute the runs of one over the whole time, so that a period of load does not affect only
-// one. Runs that take over 5% longer than the fastest are rejected, and the result is the median of
-// the others. The thread stays on its processor. `progress` is called after each world of each
-// round.
-constexpr unsigned rounds = 7;
-std::vector<Time> time_steps(const std::vector<Timed>& worlds,
+// The time of each world. Every run makes the same steps of the same world. Rounds over all worlds,
+// at least one, distribute the runs of a world over the whole time, so that a period of load does
+// not affect only one. Runs that take over 5% longer than the fastest are rejected, and the result
+// is the median of the others. The thread stays on its processor. `progress` is called after each
+// world of each round.
+std::vector<Time> time_steps(const std::vector<Timed>& worlds, unsigned rounds,
                              const std::function<void()>& progress);
 
 }  // namespace growth

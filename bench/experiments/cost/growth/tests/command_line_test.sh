@@ -18,7 +18,7 @@ awk -F, 'NR > 1 {
         if (searches["brute_force"] < 8 || searches["brute_force"] != searches["sort_and_sweep"]) exit 1
         for (n in cheapest) if (cheapest[n] != 1) { print n " particles: no cheapest"; exit 1 }
     }' "$folder/growth.csv" || fail "growth.csv is not as it should be"
-"$fixbench" growth --host --most 144 --output "$folder" 2>/dev/null
+"$fixbench" growth --host --most 144 --rounds 2 --output "$folder" 2>/dev/null
 [ "$(wc -l <"$folder/growth_host.csv")" -eq 13 ] || fail "growth_host.csv has not three rows for each of 16, 36, 64, 144"
 # Ours are counted, Box2D's are not.
 awk -F, 'NR > 1 && ($2 == "box2d" ? $6 $11 != "" : !($6 > 0 && $11 > 0 &&

@@ -179,8 +179,9 @@ TEST(Times, AreThoseOfTheTimedStepsAlone) {
             taken += steps;
         };
     };
+    constexpr unsigned rounds = 5;
     unsigned rounds_of_worlds = 0;
-    const auto times = time_steps({{slow_to_start, timed}}, [&] { ++rounds_of_worlds; });
+    const auto times = time_steps({{slow_to_start, timed}}, rounds, [&] { ++rounds_of_worlds; });
     ASSERT_EQ(times.size(), 1u);
     EXPECT_EQ(taken, warm_steps + timed);
     EXPECT_EQ(rounds_of_worlds, rounds);
