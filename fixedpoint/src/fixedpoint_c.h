@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py */
+ * DO NOT EDIT: written by python3 fixedpoint/tables/functions.py */
 /// \file
 /// The library for C, and for every language that can call C: each operation is a function on
 /// plain integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.

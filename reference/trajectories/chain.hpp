@@ -3,7 +3,7 @@
 // plane. The variables are the angles of the rods.
 #pragma once
 
-#include "reference/trajectories/trajectory.hpp"
+#include "reference/trajectories/state.hpp"
 
 namespace reference {
 

@@ -4,7 +4,7 @@
 
 #include <string_view>
 
-#include "reference/trajectories/trajectory.hpp"
+#include "reference/trajectories/state.hpp"
 
 namespace reference {
 

@@ -3,7 +3,7 @@
 // closed form by Jacobi's elliptic functions, for every amplitude below half a turn.
 #pragma once
 
-#include "reference/trajectories/trajectory.hpp"
+#include "reference/trajectories/state.hpp"
 
 namespace reference {
 

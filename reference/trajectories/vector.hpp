@@ -3,7 +3,8 @@
 #pragma once
 
 #include <array>
-#include <vector>
+
+#include "reference/trajectories/state.hpp"
 
 namespace reference {
 
@@ -21,6 +22,6 @@ inline double dot(const Vector3& a, const Vector3& b) {
 }
 
 // Throws std::invalid_argument if the times are not as trajectory.hpp requires.
-void check(const std::vector<double>& times);
+void check(const Times& times);
 
 }  // namespace reference

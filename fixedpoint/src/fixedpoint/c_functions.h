@@ -1,5 +1,5 @@
 /* SPDX-License-Identifier: MIT
- * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py
+ * DO NOT EDIT: written by python3 fixedpoint/tables/functions.py
  * What fixedpoint_c.h declares, for fixedpoint_c.cpp and the tests. */
 #ifndef FIXEDPOINT_C_FUNCTIONS_H
 #define FIXEDPOINT_C_FUNCTIONS_H

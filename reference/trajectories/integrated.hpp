@@ -1,22 +1,30 @@
 // SPDX-License-Identifier: GPL-3.0-or-later
+// The motion of scenes by integration.
+#pragma once
+
 #include <gsl/gsl_errno.h>
 #include <gsl/gsl_roots.h>
 
 #include <algorithm>
 #include <cmath>
 #include <memory>
+#include <scenes/all.hpp>
 #include <stdexcept>
 
 #include "reference/trajectories/chain.hpp"
 #include "reference/trajectories/integrate.hpp"
-#include "reference/trajectories/trajectory.hpp"
+#include "reference/trajectories/state.hpp"
 #include "reference/trajectories/vector.hpp"
 
 namespace reference {
-namespace {
+
+// The error allowed in a step of the integration, absolute and relative.
+constexpr double default_tolerance = 1e-13;
+
+namespace motion {
 
 // The angle of a rod in the convention of chain.hpp.
-double angle(double x, double y) { return std::atan2(x, -y); }
+inline double angle(double x, double y) { return std::atan2(x, -y); }
 
 // The squared distance of a free fall from rest less the squared length of the rope, in m^2.
 struct Reach {
@@ -27,27 +35,27 @@ struct Reach {
     }
 };
 
-}  // namespace
+}  // namespace motion
 
-Trajectory trajectory(const scenes::DoublePendulum::Parameters<double>& with, const Times& times,
-                      double tolerance) {
+inline Trajectory trajectory(const scenes::DoublePendulum::Parameters<double>& with,
+                             const Times& times, double tolerance = default_tolerance) {
     check(times);
-    const double lower = angle(with.lower_x - with.x, with.lower_y - with.y);
+    const double lower = motion::angle(with.lower_x - with.x, with.lower_y - with.y);
     return move({{0, 0},
                  {0, -with.gravity},
-                 {{1, with.length, angle(with.x, with.y), 0}, {1, with.length, lower, 0}}},
+                 {{1, with.length, motion::angle(with.x, with.y), 0}, {1, with.length, lower, 0}}},
                 times, tolerance);
 }
 
-Trajectory trajectory(const scenes::ChainOfRods::Parameters<double>& with, const Times& times,
-                      double tolerance) {
+inline Trajectory trajectory(const scenes::ChainOfRods::Parameters<double>& with,
+                             const Times& times, double tolerance = default_tolerance) {
     check(times);
-    const Link link = {1, with.length, angle(with.x, with.y), 0};
+    const Link link = {1, with.length, motion::angle(with.x, with.y), 0};
     return move({{0, 0}, {0, -with.gravity}, {scenes::ChainOfRods::links, link}}, times, tolerance);
 }
 
-Trajectory trajectory(const scenes::ProjectileWithDrag::Parameters<double>& with,
-                      const Times& times, double tolerance) {
+inline Trajectory trajectory(const scenes::ProjectileWithDrag::Parameters<double>& with,
+                             const Times& times, double tolerance = default_tolerance) {
     check(times);
     const auto derivative = [&](const double* variables, double* rates) {
         const double vx = variables[2], vy = variables[3];
@@ -64,8 +72,9 @@ Trajectory trajectory(const scenes::ProjectileWithDrag::Parameters<double>& with
     return trajectory;
 }
 
-double taut_time(const scenes::RopeSwing::Parameters<double>& with) {
-    Reach reach{with};
+// The time in s at which the rope of the swing becomes taut, located by root finding.
+inline double taut_time(const scenes::RopeSwing::Parameters<double>& with) {
+    motion::Reach reach{with};
     // After a fall of twice its diameter, the point is below the rope's circle; at first it is
     // inside.
     const double end = std::sqrt(2 * (std::abs(with.y) + 4 * with.length) / with.gravity);
@@ -73,7 +82,8 @@ double taut_time(const scenes::RopeSwing::Parameters<double>& with) {
         throw std::invalid_argument(
             "the swing's motion is known only for a rope slack at the start");
     gsl_function function = {
-        [](double time, void* object) { return (*static_cast<Reach*>(object))(time); }, &reach};
+        [](double time, void* object) { return (*static_cast<motion::Reach*>(object))(time); },
+        &reach};
     const std::unique_ptr<gsl_root_fsolver, decltype(&gsl_root_fsolver_free)> solver(
         gsl_root_fsolver_alloc(gsl_root_fsolver_brent), gsl_root_fsolver_free);
     gsl_root_fsolver_set(solver.get(), &function, 0, end);
@@ -86,8 +96,8 @@ double taut_time(const scenes::RopeSwing::Parameters<double>& with) {
     return gsl_root_fsolver_root(solver.get());
 }
 
-Trajectory trajectory(const scenes::RopeSwing::Parameters<double>& with, const Times& times,
-                      double tolerance) {
+inline Trajectory trajectory(const scenes::RopeSwing::Parameters<double>& with, const Times& times,
+                             double tolerance = default_tolerance) {
     check(times);
     const double taut = taut_time(with);
     Trajectory trajectory;
@@ -102,7 +112,7 @@ Trajectory trajectory(const scenes::RopeSwing::Parameters<double>& with, const T
     }
     // Only the part of the velocity (0, -g t) along the arc remains.
     const double y = with.y - with.gravity / 2 * taut * taut;
-    const double first_angle = angle(with.x, y);
+    const double first_angle = motion::angle(with.x, y);
     const double speed = -with.gravity * taut * std::sin(first_angle);
     const Chain chain = {
         {0, 0}, {0, -with.gravity}, {{1, with.length, first_angle, speed / with.length}}};

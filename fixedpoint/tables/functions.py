@@ -1,9 +1,10 @@
 #!/usr/bin/python3
 # SPDX-License-Identifier: MIT
-"""Writes src/fixedpoint_c.h: every operation, in every format with a name in C, as a plain C
-function. On the AVR a function with a kernel in kernel/table.hpp is that kernel. Writes
-src/fixedpoint/c_functions.h, too: the list by which fixedpoint_c.cpp defines them, and tests call
-them."""
+"""The functions of the library. Writes src/fixedpoint_c.h: every operation, in every format with a
+name in C, as a plain C function. On the AVR a function with a kernel in kernel/table.hpp is that
+kernel. Writes two lists, too: src/fixedpoint/c_functions.h, by which fixedpoint_c.cpp defines them,
+and tests call them; and src/fixedpoint/portable/elementary_functions.hpp, which the arithmetics
+expand."""
 
 import re
 import subprocess
@@ -16,6 +17,31 @@ FORMATS = [(4, 4), (8, 8), (16, 16), (8, 24), (32, 32)]
 
 # Name, result, parameters, and what it returns for every input. Q is the number's type, {q} its
 # name, {width} its bits, {integer} and {fraction} those before and after the point.
+#
+# Those without a kernel of their own in most formats; an evaluation in portable/ computes each.
+ELEMENTARY = [
+    ("tan", "Q", "Q angle",
+     "The tangent of any angle in radians, faithful, saturated near a pole."),
+    ("asin", "Q", "Q a",
+     "The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the "
+     "nearer end."),
+    ("acos", "Q", "Q a",
+     "The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the "
+     "nearer end."),
+    ("exp2", "Q", "Q a", "2^a, faithful, saturated to {Q}_MAX."),
+    ("expm1", "Q", "Q a", "e^a - 1, faithful, saturated to {Q}_MAX."),
+    ("log2", "Q", "Q a", "The logarithm to base 2, faithful, exact for powers of 2; {Q}_MIN if a <= 0."),
+    ("log10", "Q", "Q a", "The logarithm to base 10, faithful; {Q}_MIN if a <= 0."),
+    ("log1p", "Q", "Q a", "ln(1 + a), faithful; {Q}_MIN if a <= -1."),
+    ("sinh", "Q", "Q a", "The hyperbolic sine, faithful, saturated."),
+    ("cosh", "Q", "Q a", "The hyperbolic cosine, faithful, saturated to {Q}_MAX."),
+    ("tanh", "Q", "Q a", "The hyperbolic tangent, faithful, never outside [-1, 1]."),
+    ("cbrt", "Q", "Q a", "The cube root, faithful, negative if a is."),
+    ("pow", "Q", "Q x, Q y",
+     "x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or {Q}_MAX if y < 0. If "
+     "x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer."),
+]
+# All, in the order of the header.
 OPERATIONS = [
     ("add", "Q", "Q a, Q b", "a + b modulo 2^{integer}: a sum out of range wraps."),
     ("subtract", "Q", "Q a, Q b",
@@ -50,26 +76,7 @@ OPERATIONS = [
     ("exp", "Q", "Q a",
      "e^a, faithful, saturated to {Q}_MAX; it may be 0 if e^a is below 0.75 ulp."),
     ("log", "Q", "Q a", "The natural logarithm, faithful; {Q}_MIN if a <= 0."),
-    ("tan", "Q", "Q angle",
-     "The tangent of any angle in radians, faithful, saturated near a pole."),
-    ("asin", "Q", "Q a",
-     "The arc sine in radians, faithful, saturated. An argument outside [-1, 1] counts as the "
-     "nearer end."),
-    ("acos", "Q", "Q a",
-     "The arc cosine in radians, faithful, saturated. An argument outside [-1, 1] counts as the "
-     "nearer end."),
-    ("exp2", "Q", "Q a", "2^a, faithful, saturated to {Q}_MAX."),
-    ("expm1", "Q", "Q a", "e^a - 1, faithful, saturated to {Q}_MAX."),
-    ("log2", "Q", "Q a", "The logarithm to base 2, faithful, exact for powers of 2; {Q}_MIN if a <= 0."),
-    ("log10", "Q", "Q a", "The logarithm to base 10, faithful; {Q}_MIN if a <= 0."),
-    ("log1p", "Q", "Q a", "ln(1 + a), faithful; {Q}_MIN if a <= -1."),
-    ("sinh", "Q", "Q a", "The hyperbolic sine, faithful, saturated."),
-    ("cosh", "Q", "Q a", "The hyperbolic cosine, faithful, saturated to {Q}_MAX."),
-    ("tanh", "Q", "Q a", "The hyperbolic tangent, faithful, never outside [-1, 1]."),
-    ("cbrt", "Q", "Q a", "The cube root, faithful, negative if a is."),
-    ("pow", "Q", "Q x, Q y",
-     "x^y, faithful, saturated; 1 if y is 0. Otherwise, if x is 0: 0, or {Q}_MAX if y < 0. If "
-     "x < 0: the power of |x|, negated if y is odd, and 0 if y is not an integer."),
+    *ELEMENTARY,
     ("sin_turns", "Q", "Q angle",
      "The sine of any angle in turns, faithful, exact at quarter turns, never outside [-1, 1]."),
     ("cos_turns", "Q", "Q angle",
@@ -160,7 +167,7 @@ SHAPES = {
 
 HEAD = """\
 /* SPDX-License-Identifier: MIT
- * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py */
+ * DO NOT EDIT: written by python3 fixedpoint/tables/functions.py */
 /// \\file
 /// The library for C, and for every language that can call C: each operation is a function on
 /// plain integers. A number of Q16.16 is an int32_t, value = raw / 2^16; q16_16 names that type.
@@ -288,7 +295,7 @@ def conversion(source, target):
 
 LIST_HEAD = """\
 /* SPDX-License-Identifier: MIT
- * DO NOT EDIT: written by python3 fixedpoint/tables/c_header.py
+ * DO NOT EDIT: written by python3 fixedpoint/tables/functions.py
  * What fixedpoint_c.h declares, for fixedpoint_c.cpp and the tests. */
 #ifndef FIXEDPOINT_C_FUNCTIONS_H
 #define FIXEDPOINT_C_FUNCTIONS_H
@@ -330,6 +337,27 @@ def functions():
                          "X, ...", rows)
 
 
+ELEMENTARY_HEAD = """\
+// SPDX-License-Identifier: MIT
+// DO NOT EDIT: written by python3 fixedpoint/tables/functions.py
+// The elementary functions without a kernel of their own in most formats, as X(name, class of its
+// evaluation); pow alone takes two operands. The arithmetics, the events of Checked and Recorded
+// expand the list; kernel/elementary.hpp says which formats use kernels.
+#pragma once
+
+// clang-format off
+"""
+
+
+def elementary_functions():
+    """The text of portable/elementary_functions.hpp."""
+    def rows(operands):
+        return "".join(f" \\\n    X({name}, {name.capitalize()})"
+                       for name, _, parameters, _ in ELEMENTARY if parameters.count(",") + 1 == operands)
+    return (f"{ELEMENTARY_HEAD}#define FIXEDPOINT_ELEMENTARY_UNARY(X){rows(1)}\n"
+            f"#define FIXEDPOINT_ELEMENTARY_FUNCTIONS(X) \\\n    FIXEDPOINT_ELEMENTARY_UNARY(X){rows(2)}\n")
+
+
 if __name__ == "__main__":
     known = kernels()
     lines = []
@@ -342,3 +370,4 @@ if __name__ == "__main__":
                 lines += conversion(origin, to)
     (page.SOURCE.parent / "fixedpoint_c.h").write_text(HEAD + "\n".join(lines) + "\n" + TAIL)
     (page.SOURCE / "c_functions.h").write_text(LIST_HEAD + "\n".join(functions()) + "\n" + LIST_TAIL)
+    (page.SOURCE / "portable" / "elementary_functions.hpp").write_text(elementary_functions())
