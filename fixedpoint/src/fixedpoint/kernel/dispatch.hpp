@@ -46,95 +46,13 @@
 // Every operation is declared first, since a kernel must be known before anything calls it.
 namespace fixedpoint {
 namespace kernel {
-#define FIXEDPOINT_OPERATION(shape, operation)          \
+#define FIXEDPOINT_DECLARATION(shape, operation)        \
     template <class Raw, int F>                         \
     FIXEDPOINT_CONSTEXPR FIXEDPOINT_RESULT_##shape(Raw) \
         operation FIXEDPOINT_PARAMETERS_##shape(Raw);
-FIXEDPOINT_OPERATION(BINARY, multiply)
-FIXEDPOINT_OPERATION(BINARY, upper_product)
-FIXEDPOINT_OPERATION(WORDS, multiply_upper_halves)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, byte_fraction)
-FIXEDPOINT_OPERATION(SPLIT_BINARY, multiply_64)
-FIXEDPOINT_OPERATION(BINARY, multiply_saturating)
-FIXEDPOINT_OPERATION(BINARY, multiply_short)
-FIXEDPOINT_OPERATION(TERNARY, multiply_add)
-FIXEDPOINT_OPERATION(TERNARY, wrapping_lerp)
-FIXEDPOINT_OPERATION(BINARY, divide)
-FIXEDPOINT_OPERATION(SPLIT_BINARY, divide_64)
-FIXEDPOINT_OPERATION(BINARY, divide_small)
-FIXEDPOINT_OPERATION(BINARY, remainder)
-FIXEDPOINT_OPERATION(DIVISION, divrem)
-FIXEDPOINT_OPERATION(DIVISION, divmod)
-FIXEDPOINT_OPERATION(BINARY, copysign)
-FIXEDPOINT_OPERATION(BINARY, abs_diff)
-FIXEDPOINT_OPERATION(UNARY, sqrt)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, sqrt_64)
-FIXEDPOINT_OPERATION(UNARY, sqrt_small)
-FIXEDPOINT_OPERATION(UNARY, cbrt)
-FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt)
-FIXEDPOINT_OPERATION(UNARY, reciprocal_sqrt_small)
-FIXEDPOINT_OPERATION(UNARY, nearest_reciprocal_sqrt)
-FIXEDPOINT_OPERATION(UNARY, sin)
-FIXEDPOINT_OPERATION(UNARY, sin_small)
-FIXEDPOINT_OPERATION(UNARY, cos)
-FIXEDPOINT_OPERATION(UNARY, cos_small)
-FIXEDPOINT_OPERATION(PAIR, sincos)
-FIXEDPOINT_OPERATION(UNARY, sine_of_phase)
-FIXEDPOINT_OPERATION(UNARY, sine_of_turns)
-FIXEDPOINT_OPERATION(TURNS, sine_of_quarter_turns)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, tan_of_rest)
-FIXEDPOINT_OPERATION(UNARY, atan)
-FIXEDPOINT_OPERATION(UNARY, atan_small)
-FIXEDPOINT_OPERATION(BINARY, atan2)
-FIXEDPOINT_OPERATION(BINARY, atan2_small)
-FIXEDPOINT_OPERATION(UNARY, asin)
-FIXEDPOINT_OPERATION(UNARY, acos)
-FIXEDPOINT_OPERATION(UNARY, exp)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, exp_64)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, sin_64)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, cos_64)
-FIXEDPOINT_OPERATION(SPLIT_PAIR, sincos_64)
-FIXEDPOINT_OPERATION(SPLIT_BINARY, atan2_64)
-FIXEDPOINT_OPERATION(SPLIT_UNARY, log_64)
-FIXEDPOINT_OPERATION(UNARY, exp_fine)
-FIXEDPOINT_OPERATION(UNARY, exp2_unsaturated)
-FIXEDPOINT_OPERATION(BINARY, pow_unsaturated)
-FIXEDPOINT_OPERATION(UNARY, sinh_unsaturated)
-FIXEDPOINT_OPERATION(UNARY, cosh_unsaturated)
-FIXEDPOINT_OPERATION(SCALED, exp_wide)
-FIXEDPOINT_OPERATION(POWER, short_power)
-FIXEDPOINT_OPERATION(POWER, short_power_64)
-FIXEDPOINT_OPERATION(UNARY, exp_small)
-FIXEDPOINT_OPERATION(UNARY, log)
-FIXEDPOINT_OPERATION(UNARY, log_fine)
-FIXEDPOINT_OPERATION(UNARY, log_small)
-FIXEDPOINT_OPERATION(UNARY, log2)
-FIXEDPOINT_OPERATION(VECTORS, dot2)
-FIXEDPOINT_OPERATION(VECTORS, dot3)
-FIXEDPOINT_OPERATION(SPLIT_VECTORS, dot_64)
-FIXEDPOINT_OPERATION(TRANSFORM, transform)
-FIXEDPOINT_OPERATION(TRANSFORM, matrix_product)
-FIXEDPOINT_OPERATION(OUTER, matrix_product_2)
-FIXEDPOINT_OPERATION(OUTER, cross)
-FIXEDPOINT_OPERATION(OUTER, twice_cross)
-FIXEDPOINT_OPERATION(OUTER, quaternion_times_vector)
-FIXEDPOINT_OPERATION(OUTER, quaternion_product)
-FIXEDPOINT_OPERATION(OUTER, complex_product)
-FIXEDPOINT_OPERATION(MAPPING, cofactors)
-FIXEDPOINT_OPERATION(VECTORS, project2)
-FIXEDPOINT_OPERATION(VECTORS, project3)
-FIXEDPOINT_OPERATION(VECTOR, square2)
-FIXEDPOINT_OPERATION(VECTOR, square3)
-FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference2)
-FIXEDPOINT_OPERATION(DIFFERENCE, dot_difference3)
-FIXEDPOINT_OPERATION(ADDITION, add_scaled2)
-FIXEDPOINT_OPERATION(ADDITION, add_scaled3)
-FIXEDPOINT_OPERATION(EXCHANGE, exchange2)
-FIXEDPOINT_OPERATION(EXCHANGE, exchange3)
-FIXEDPOINT_OPERATION(VECTOR, length2)
-FIXEDPOINT_OPERATION(VECTOR, length3)
-FIXEDPOINT_OPERATION(MAPPING, normalise3)
-#undef FIXEDPOINT_OPERATION
+FIXEDPOINT_COMPOSED_OPERATIONS(FIXEDPOINT_DECLARATION)
+FIXEDPOINT_PORTABLE_OPERATIONS(FIXEDPOINT_DECLARATION)
+#undef FIXEDPOINT_DECLARATION
 template <class = uint32_t, int = 0>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b);
 }  // namespace kernel
@@ -391,119 +309,18 @@ template <class, int>
 FIXEDPOINT_CONSTEXPR uint64_t multiply_words(uint32_t a, uint32_t b) {
     return portable::multiply_words(a, b);
 }
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw upper_product(Raw a, Raw b) {
-    return portable::upper_product<Raw, F>(a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw tan_of_rest(Raw x, uint8_t inverse) {
-    return portable::tan_of_rest<Raw, F>(x, inverse);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw byte_fraction(Raw a, uint8_t j) {
-    return portable::byte_fraction<Raw, F>(a, j);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR uint64_t multiply_upper_halves(Raw a, Raw b) {
-    return portable::multiply_upper_halves<Raw, F>(a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR uint64_t exp_wide(Raw a, uint8_t unit) {
-    return portable::exp_wide<Raw, F>(a, unit);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Unsigned<Raw> short_power(Unsigned<Raw> a, uint16_t n, int8_t exponent,
-                                               bool reciprocal) {
-    return portable::short_power<Raw, F>(a, n, exponent, reciprocal);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Unsigned<Raw> short_power_64(Unsigned<Raw> a, uint16_t n, int8_t exponent,
-                                                  bool reciprocal) {
-    return portable::short_power_64<Raw, F>(a, n, exponent, reciprocal);
-}
-#define FIXEDPOINT_PORTABLE(operation)          \
-    template <class Raw, int F>                 \
-    FIXEDPOINT_CONSTEXPR Raw operation(Raw a) { \
-        return portable::operation<Raw, F>(a);  \
+#define FIXEDPOINT_PORTABLE(shape, operation)                            \
+    template <class Raw, int F>                                          \
+    FIXEDPOINT_CONSTEXPR FIXEDPOINT_RESULT_##shape(Raw)                  \
+        operation FIXEDPOINT_PARAMETERS_##shape(Raw) {                   \
+        return portable::operation<Raw, F> FIXEDPOINT_ARGUMENTS_##shape; \
     }
-FIXEDPOINT_PORTABLE(asin)
-FIXEDPOINT_PORTABLE(acos)
-FIXEDPOINT_PORTABLE(cbrt)
-FIXEDPOINT_PORTABLE(exp_fine)
-FIXEDPOINT_PORTABLE(exp2_unsaturated)
-FIXEDPOINT_PORTABLE(sinh_unsaturated)
-FIXEDPOINT_PORTABLE(cosh_unsaturated)
-FIXEDPOINT_PORTABLE(log_fine)
-FIXEDPOINT_PORTABLE(log2)
-FIXEDPOINT_PORTABLE(nearest_reciprocal_sqrt)
+FIXEDPOINT_PORTABLE_OPERATIONS(FIXEDPOINT_PORTABLE)
 #undef FIXEDPOINT_PORTABLE
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw pow_unsaturated(Raw a, Raw b) {
-    return portable::pow_unsaturated<Raw, F>(a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw sine_of_phase(Raw phase) {
-    return portable::sine_of_phase<Raw, F>(phase);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw sine_of_turns(Raw turns) {
-    return portable::sine_of_turns<Raw, F>(turns);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw sine_of_quarter_turns(uint64_t turns) {
-    return portable::sine_of_quarter_turns<Raw, F>(turns);
-}
-
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw exp_small(Raw a) {
-    return portable::exp_small<Raw, F>(a);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw log_small(Raw a) {
-    return portable::log_small<Raw, F>(a);
-}
-
-#define FIXEDPOINT_FINE_SPLITS(operation)                         \
-    template <class Raw, int F>                                   \
-    FIXEDPOINT_CONSTEXPR Raw operation(Raw a, uint8_t fraction) { \
-        return portable::operation<Raw, F>(a, fraction);          \
-    }
-FIXEDPOINT_FINE_SPLITS(sin_64)
-FIXEDPOINT_FINE_SPLITS(cos_64)
-FIXEDPOINT_FINE_SPLITS(log_64)
-#undef FIXEDPOINT_FINE_SPLITS
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void sincos_64(Raw a, Raw* pair, uint8_t fraction) {
-    portable::sincos_64<Raw, F>(a, pair, fraction);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw atan2_64(Raw y, Raw x, uint8_t fraction) {
-    return portable::atan2_64<Raw, F>(y, x, fraction);
-}
 
 // All 64-bit formats share one product, quotient, root, dot product and exponential function, which
-// take the fraction bits as an operand. Q32.32 has its own.
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw multiply_64(Raw a, Raw b, uint8_t fraction) {
-    return portable::multiply_64<Raw, F>(a, b, fraction);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw divide_64(Raw a, Raw b, uint8_t fraction) {
-    return portable::divide_64<Raw, F>(a, b, fraction);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw sqrt_64(Raw a, uint8_t fraction) {
-    return portable::sqrt_64<Raw, F>(a, fraction);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw exp_64(Raw a, uint8_t fraction) {
-    return portable::exp_64<Raw, F>(a, fraction);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw dot_64(const Raw* a, const Raw* b, uint8_t n, uint8_t fraction) {
-    return portable::dot_64<Raw, F>(a, b, n, fraction);
-}
-// The portable code if there are no kernels.
+// take the fraction bits as an operand. Q32.32 has its own. The portable code if there are no
+// kernels.
 template <class Raw, int F,
           bool by_kernels = has_assembly && sizeof(Raw) == 8 && RawLimits<Raw>::is_signed>
 struct Split {
@@ -594,10 +411,6 @@ FIXEDPOINT_CONSTEXPR Raw exp(Raw a) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw multiply_short(Raw a, Raw b) {
     return multiply<Raw, F>(a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw multiply_saturating(Raw a, Raw b) {
-    return portable::multiply_saturating<Raw, F>(a, b);
 }
 // In Q32.32 the product of the whole parts says whether the wrapped product can be trusted. If it
 // is below 2^31, whole parts x and y, of which neither exceeds 2^31, have x y + x + y + 1 <= 2^32:
@@ -736,44 +549,6 @@ FIXEDPOINT_CONSTEXPR Raw dot2(const Raw* a, const Raw* b) {
 template <class Raw, int F>
 FIXEDPOINT_CONSTEXPR Raw dot3(const Raw* a, const Raw* b) {
     return Split<Raw, F>::dot(a, b, 3);
-}
-
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void transform(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
-    portable::transform<Raw, F>(result, v, m, n);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void matrix_product(Raw* result, const Raw* v, const Raw* m, uint8_t n) {
-    portable::matrix_product<Raw, F>(result, v, m, n);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void matrix_product_2(Raw* result, const Raw* a, const Raw* b) {
-    portable::matrix_product_2<Raw, F>(result, a, b);
-}
-
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void cross(Raw* result, const Raw* a, const Raw* b) {
-    portable::cross<Raw, F>(result, a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void twice_cross(Raw* result, const Raw* a, const Raw* b) {
-    portable::twice_cross<Raw, F>(result, a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void quaternion_times_vector(Raw* result, const Raw* a, const Raw* b) {
-    portable::quaternion_times_vector<Raw, F>(result, a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void quaternion_product(Raw* result, const Raw* a, const Raw* b) {
-    portable::quaternion_product<Raw, F>(result, a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void complex_product(Raw* result, const Raw* a, const Raw* b) {
-    portable::complex_product<Raw, F>(result, a, b);
-}
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR void cofactors(const Raw* m, Raw* result) {
-    portable::cofactors<Raw, F>(m, result);
 }
 
 // dot2 and dot3; their kernels are fastest if a is a unit vector.

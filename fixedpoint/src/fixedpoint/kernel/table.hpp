@@ -86,6 +86,96 @@
 #define FIXEDPOINT_PARAMETERS_SIDE(Raw) (Raw y, Raw x, uint32_t tie)
 #define FIXEDPOINT_ARGUMENTS_SIDE (y, x, tie)
 
+// OPERATION(shape, operation): what formats without a kernel of their own do is written in
+// dispatch.hpp, ...
+#define FIXEDPOINT_COMPOSED_OPERATIONS(OPERATION) \
+    OPERATION(BINARY, multiply) \
+    OPERATION(BINARY, multiply_short) \
+    OPERATION(TERNARY, multiply_add) \
+    OPERATION(TERNARY, wrapping_lerp) \
+    OPERATION(BINARY, divide) \
+    OPERATION(BINARY, divide_small) \
+    OPERATION(BINARY, remainder) \
+    OPERATION(DIVISION, divrem) \
+    OPERATION(DIVISION, divmod) \
+    OPERATION(BINARY, copysign) \
+    OPERATION(BINARY, abs_diff) \
+    OPERATION(UNARY, sqrt) \
+    OPERATION(UNARY, sqrt_small) \
+    OPERATION(UNARY, reciprocal_sqrt) \
+    OPERATION(UNARY, reciprocal_sqrt_small) \
+    OPERATION(UNARY, sin) \
+    OPERATION(UNARY, sin_small) \
+    OPERATION(UNARY, cos) \
+    OPERATION(UNARY, cos_small) \
+    OPERATION(PAIR, sincos) \
+    OPERATION(UNARY, atan) \
+    OPERATION(UNARY, atan_small) \
+    OPERATION(BINARY, atan2) \
+    OPERATION(BINARY, atan2_small) \
+    OPERATION(UNARY, exp) \
+    OPERATION(UNARY, log) \
+    OPERATION(VECTORS, dot2) \
+    OPERATION(VECTORS, dot3) \
+    OPERATION(VECTORS, project2) \
+    OPERATION(VECTORS, project3) \
+    OPERATION(VECTOR, square2) \
+    OPERATION(VECTOR, square3) \
+    OPERATION(DIFFERENCE, dot_difference2) \
+    OPERATION(DIFFERENCE, dot_difference3) \
+    OPERATION(ADDITION, add_scaled2) \
+    OPERATION(ADDITION, add_scaled3) \
+    OPERATION(EXCHANGE, exchange2) \
+    OPERATION(EXCHANGE, exchange3) \
+    OPERATION(VECTOR, length2) \
+    OPERATION(VECTOR, length3) \
+    OPERATION(MAPPING, normalise3)
+// ... or is portable::operation.
+#define FIXEDPOINT_PORTABLE_OPERATIONS(OPERATION) \
+    OPERATION(BINARY, upper_product) \
+    OPERATION(WORDS, multiply_upper_halves) \
+    OPERATION(SPLIT_UNARY, byte_fraction) \
+    OPERATION(SPLIT_BINARY, multiply_64) \
+    OPERATION(BINARY, multiply_saturating) \
+    OPERATION(SPLIT_BINARY, divide_64) \
+    OPERATION(SPLIT_UNARY, sqrt_64) \
+    OPERATION(UNARY, cbrt) \
+    OPERATION(UNARY, nearest_reciprocal_sqrt) \
+    OPERATION(UNARY, sine_of_phase) \
+    OPERATION(UNARY, sine_of_turns) \
+    OPERATION(TURNS, sine_of_quarter_turns) \
+    OPERATION(SPLIT_UNARY, tan_of_rest) \
+    OPERATION(UNARY, asin) \
+    OPERATION(UNARY, acos) \
+    OPERATION(SPLIT_UNARY, exp_64) \
+    OPERATION(SPLIT_UNARY, sin_64) \
+    OPERATION(SPLIT_UNARY, cos_64) \
+    OPERATION(SPLIT_PAIR, sincos_64) \
+    OPERATION(SPLIT_BINARY, atan2_64) \
+    OPERATION(SPLIT_UNARY, log_64) \
+    OPERATION(UNARY, exp_fine) \
+    OPERATION(UNARY, exp2_unsaturated) \
+    OPERATION(BINARY, pow_unsaturated) \
+    OPERATION(UNARY, sinh_unsaturated) \
+    OPERATION(UNARY, cosh_unsaturated) \
+    OPERATION(SCALED, exp_wide) \
+    OPERATION(POWER, short_power) \
+    OPERATION(POWER, short_power_64) \
+    OPERATION(UNARY, exp_small) \
+    OPERATION(UNARY, log_fine) \
+    OPERATION(UNARY, log_small) \
+    OPERATION(UNARY, log2) \
+    OPERATION(SPLIT_VECTORS, dot_64) \
+    OPERATION(TRANSFORM, transform) \
+    OPERATION(TRANSFORM, matrix_product) \
+    OPERATION(OUTER, matrix_product_2) \
+    OPERATION(OUTER, cross) \
+    OPERATION(OUTER, twice_cross) \
+    OPERATION(OUTER, quaternion_times_vector) \
+    OPERATION(OUTER, quaternion_product) \
+    OPERATION(OUTER, complex_product) \
+    OPERATION(MAPPING, cofactors)
+
 // ROW(KERNEL, shape, operation, integer bits, fraction bits) for every split, that is division into
 // integer and fraction bits, of 16 bits except Q8.8, of 24 bits, and of 32 bits except Q16.16; the
 // two have kernels of their own. Coarse splits have fewer fraction bits than Q8.8.
