@@ -100,12 +100,23 @@ plt.rcParams.update({
 })
 
 
+def named_by_order(svg):
+    """The text with its clipping paths and markers named by their order. Their names are hashes of unrounded
+    numbers, whose last bits depend on the processor."""
+    names = dict.fromkeys(re.findall(r'id="([pm][0-9a-f]{10})"', svg))
+    for number, name in enumerate(names, 1):
+        names[name] = f"{name[0]}{number}"
+    return re.sub(r'(?<=["#])[pm][0-9a-f]{10}(?=[")])', lambda name: names.get(name.group(), name.group()), svg)
+
+
 def save(figure, folder, name):
     """Writes <name>.svg and <name>.png, each completely or not at all."""
     for suffix, options in ((".svg", {"metadata": {"Date": None}}),
                             (".png", {"dpi": 110, "metadata": {"Software": None}})):
         partial = folder / f".{name}.partial{suffix}"
         figure.savefig(partial, **options)
+        if suffix == ".svg":
+            partial.write_text(named_by_order(partial.read_text(encoding="utf-8")), encoding="utf-8")
         partial.replace(folder / (name + suffix))
     plt.close(figure)
 

@@ -1544,6 +1544,18 @@ class Replay(Figures):
 
 
 class Style(unittest.TestCase):
+    def test_a_figure_does_not_depend_on_the_last_bit_of_its_layout(self):
+        def saved(left):
+            figure = plt.figure(layout="none")
+            figure.add_axes((left, 0.1, 0.8, 0.8)).plot((0, 1), (0, 1), marker="o")
+            with tempfile.TemporaryDirectory() as folder:
+                style.save(figure, pathlib.Path(folder), "figure")
+                return (pathlib.Path(folder) / "figure.svg").read_text(encoding="utf-8")
+        made = saved(0.1)
+        self.assertEqual(made, saved(math.nextafter(0.1, 1)))
+        clips = set(re.findall(r'clip-path="url\(#(\w+)\)"', made))
+        self.assertTrue(clips and all(f'<clipPath id="{clip}">' in made for clip in clips))
+
     def test_every_format_has_a_colour_and_marker_of_its_own(self):
         looks = [row[1:] for row in (*style.FORMATS.values(), style.PUBLISHED)]
         self.assertEqual(len(set(looks)), len(looks))
