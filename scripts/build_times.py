@@ -1,11 +1,13 @@
 #!/usr/bin/env python3
 # SPDX-License-Identifier: MIT
-"""Where the time of a build goes: seconds by room, and the slowest steps, from Ninja's log.
+"""Where the time of a build goes: seconds by room, and the slowest steps, from Ninja's log; and the
+lines of source of each room.
 
 Usage: scripts/build_times.py [BUILD_FOLDER] [--slowest N]
 
 Steps that the build no longer has are left out. Seconds are of one core, under whatever load the
-machine had; a step of ccache counts with the time it took.
+machine had; a step of ccache counts with the time it took. Lines are those of C++, assembly, Python,
+scripts and templates that git knows, without tests, examples and generated files.
 """
 import argparse
 import collections
@@ -13,6 +15,9 @@ import re
 import subprocess
 import sys
 from pathlib import Path
+
+ROOT = Path(__file__).resolve().parent.parent
+SOURCES = {".cpp", ".hpp", ".h", ".c", ".S", ".inc", ".py", ".sh", ".j2", ".js", ".css", ".in", ".ino", ".awk", ".cmake"}
 
 
 def outputs_of(folder):
@@ -50,6 +55,20 @@ def room_of(output, folder):
     return room, kind
 
 
+def lines_by_room():
+    """Room -> lines of its files, but not of those of a room within it."""
+    listed = subprocess.run(["git", "-C", ROOT, "ls-files"], capture_output=True, text=True, check=False)
+    lines = collections.Counter()
+    for name in listed.stdout.splitlines():
+        path = ROOT / name
+        if path.suffix not in SOURCES or {"tests", "examples"} & set(path.parts) or name.startswith("results/"):
+            continue
+        text = path.read_text(encoding="utf-8")
+        if "DO NOT EDIT" not in text[:300]:
+            lines[room_of(f"{ROOT}/{name}", ROOT)[0]] += text.count("\n")
+    return lines
+
+
 def main():
     parser = argparse.ArgumentParser(description=__doc__.splitlines()[0])
     parser.add_argument("folder", nargs="?", default="build/release", type=Path)
@@ -60,16 +79,18 @@ def main():
         print(f"build_times.py: no {log}: nothing was built there", file=sys.stderr)
         return 2
 
-    steps = steps_of(log)
+    steps, lines = steps_of(log), lines_by_room()
     rooms = collections.defaultdict(lambda: collections.Counter())
     for output, seconds in steps.items():
         room, kind = room_of(output, arguments.folder)
         rooms[room][kind] += seconds
         rooms[room]["steps"] += 1
-    print(f"{len(steps)} steps, {sum(steps.values()):.0f} s of one core\n")
-    print(f"{'room':34}{'steps':>7}{'host':>8}{'chip':>8}{'tests':>8}  seconds")
+    print(f"{len(steps)} steps, {sum(steps.values()):.0f} s of one core, {lines.total()} lines of source\n")
+    print(f"{'room':34}{'steps':>7}{'host, s':>9}{'chip, s':>9}{'tests, s':>9}{'lines':>8}")
     for room, row in sorted(rooms.items(), key=lambda item: -sum(item[1].values())):
-        print(f"{room:34}{row['steps']:7}{row['host']:8.0f}{row['chip']:8.0f}{row['tests']:8.0f}")
+        print(f"{room:34}{row['steps']:7}{row['host']:9.0f}{row['chip']:9.0f}{row['tests']:9.0f}{lines.pop(room, 0):8}")
+    for room, count in sorted(lines.items()):
+        print(f"{room:34}{'':34}{count:8}")
     print("\nslowest steps")
     for output, seconds in sorted(steps.items(), key=lambda item: -item[1])[:arguments.slowest]:
         print(f"{seconds:8.1f}  {output}")
