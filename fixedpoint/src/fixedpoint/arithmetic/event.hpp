@@ -5,7 +5,7 @@
 
 #include <fixedpoint/portable/elementary_functions.hpp>
 
-// X(operation, ...): the operations that Checked reports.
+/// \cond internal X(operation, ...): the operations that Checked reports.
 // clang-format off
 #define FIXEDPOINT_REPORTED_OPERATIONS(X)                                                    \
     X(add, ) X(subtract, ) X(negate, ) X(multiply, ) X(divide, ) X(remainder, )              \
@@ -16,6 +16,7 @@
     X(lerp, ) X(power, )
 // clang-format on
 #define FIXEDPOINT_ENUMERATOR(name, ...) name,
+/// \endcond
 
 namespace fixedpoint {
 
