@@ -61,7 +61,7 @@ def lines_by_room():
     lines = collections.Counter()
     for name in listed.stdout.splitlines():
         path = ROOT / name
-        if path.suffix not in SOURCES or {"tests", "examples"} & set(path.parts) or name.startswith("results/"):
+        if path.suffix not in SOURCES or {"tests", "examples"} & set(Path(name).parts) or name.startswith("results/"):
             continue
         text = path.read_text(encoding="utf-8")
         if "DO NOT EDIT" not in text[:300]:

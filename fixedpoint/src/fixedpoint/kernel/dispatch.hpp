@@ -319,8 +319,7 @@ FIXEDPOINT_PORTABLE_OPERATIONS(FIXEDPOINT_PORTABLE)
 #undef FIXEDPOINT_PORTABLE
 
 // All 64-bit formats share one product, quotient, root, dot product and exponential function, which
-// take the fraction bits as an operand. Q32.32 has its own. The portable code if there are no
-// kernels.
+// take the fraction bits as an operand. Q32.32 has its own. Without kernels, portable code runs.
 template <class Raw, int F,
           bool by_kernels = has_assembly && sizeof(Raw) == 8 && RawLimits<Raw>::is_signed>
 struct Split {

@@ -86,8 +86,9 @@
 #define FIXEDPOINT_PARAMETERS_SIDE(Raw) (Raw y, Raw x, uint32_t tie)
 #define FIXEDPOINT_ARGUMENTS_SIDE (y, x, tie)
 
-// OPERATION(shape, operation): what formats without a kernel of their own do is written in
-// dispatch.hpp, ...
+// The operations of kernel::, as OPERATION(shape, operation). In formats without a kernel of their
+// own, those of the first list run what dispatch.hpp defines, and those of the second list
+// portable::operation.
 #define FIXEDPOINT_COMPOSED_OPERATIONS(OPERATION) \
     OPERATION(BINARY, multiply) \
     OPERATION(BINARY, multiply_short) \
@@ -130,7 +131,6 @@
     OPERATION(VECTOR, length2) \
     OPERATION(VECTOR, length3) \
     OPERATION(MAPPING, normalise3)
-// ... or is portable::operation.
 #define FIXEDPOINT_PORTABLE_OPERATIONS(OPERATION) \
     OPERATION(BINARY, upper_product) \
     OPERATION(WORDS, multiply_upper_halves) \
