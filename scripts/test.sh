@@ -43,8 +43,14 @@ part() {
     times+=("$(printf '%6d s  %s%s' $((SECONDS - start)) "$name" "$([ $status = 0 ] || echo ': FAILED')")")
     [ $status = 0 ] || exit 1
 }
-# One more than there are cores: some tests wait for a board, a browser or a terminal.
-run_tests() { ctest --preset "$1" --no-tests=error --parallel "$(($(nproc) + 1))" --output-on-failure "${@:2}"; }
+# One more than there are cores: some tests wait for a board, a browser or a terminal. Tests that fail run
+# once more by themselves: their output then ends the log, and shows whether they fail without company.
+run_tests() {
+    ctest --preset "$1" --no-tests=error --parallel "$(($(nproc) + 1))" --output-on-failure "${@:2}" && return
+    printf '\n== tests that failed, once more\n'
+    ctest --preset "$1" --rerun-failed --output-on-failure
+    return 1
+}
 
 part "set-up" scripts/setup.sh --tests
 if [ $tier = quick ]; then

@@ -5,6 +5,7 @@
 
 #include <cctype>
 #include <fstream>
+#include <iterator>
 #include <map>
 #include <stdexcept>
 #include <string>
@@ -13,6 +14,8 @@
 #include "bench/experiments/scenes/chip_run.hpp"
 #include "bench/lab/program/build.hpp"
 #include "bench/lab/program/run.hpp"
+#include "bench/lab/program/scratch.hpp"
+#include "bench/lab/records/whole_file.hpp"
 #include "this_build.hpp"
 
 namespace scene_bench {
@@ -75,6 +78,11 @@ bool up_to_date(const fs::path& program, const fs::path& list) {
     return true;
 }
 
+void copy_whole(const fs::path& from, const fs::path& to) {
+    std::ifstream stream(from, std::ios::binary);
+    records::write_whole(to, std::string(std::istreambuf_iterator<char>(stream), {}));
+}
+
 void run_compiler(const std::vector<std::string>& command, std::string_view what) {
     const fixbench::Ran ran = fixbench::run(command);
     if (ran.succeeded) return;
@@ -96,21 +104,26 @@ fs::path any_program(std::string_view scene, std::string_view scalar, std::strin
     const fs::path list = fs::path(program).replace_extension(".d");
     if (up_to_date(program, list)) return program;
 
-    // The flash of an empty program, which is expected next to the program, is subtracted.
-    fixbench::build({(built / "empty.elf").string()});
-    fs::copy_file(built / "empty.elf", folder / "empty.elf", fs::copy_options::update_existing);
-    const fs::path object = fs::path(program).replace_extension(".o");
+    // Another process may make or run the same program meanwhile.
+    const fixbench::Scratch scratch;
+    const fs::path object = scratch.folder() / "object.o", linked = scratch.folder() / "linked.elf",
+                   read = scratch.folder() / "read.d";
     const std::string what = program.stem().string();
     std::vector<std::string> compile = split(SCENE_COMPILE);
     compile.insert(compile.end(),
                    {"-DSCENE=" + type_of(scene), "-DSCALAR=" + type_of_scalar(scalar),
-                    fmt::format("-DMETHOD={}", types_of_methods.at(method)), "-MMD", "-MF", list,
+                    fmt::format("-DMETHOD={}", types_of_methods.at(method)), "-MMD", "-MF", read,
                     "-o", object});
     run_compiler(compile, what);
     std::vector<std::string> link = split(SCENE_LINK);
     link.insert(link.end(), {fmt::format("-Wl,--undefined=step_{}", exponent), object, kernels,
-                             "-lm", "-o", program});
+                             "-lm", "-o", linked});
     run_compiler(link, what);
+    // The flash of an empty program, which is expected next to the program, is subtracted.
+    fixbench::build({(built / "empty.elf").string()});
+    copy_whole(built / "empty.elf", folder / "empty.elf");
+    copy_whole(read, list);
+    copy_whole(linked, program);
     return program;
 }
 

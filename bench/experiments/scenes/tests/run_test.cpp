@@ -2,8 +2,13 @@
 // Runs on the chip and on the host, compared with a fall computed by hand; and runs that fail.
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <cmath>
 #include <cstdint>
+#include <fstream>
+#include <iterator>
+#include <thread>
 
 #include "bench/experiments/scenes/any_program.hpp"
 #include "bench/experiments/scenes/chip_run.hpp"
@@ -69,6 +74,30 @@ TEST(AnyProgram, IsMadeOnceAndInAnySplit) {
     // From (0, 20) at (3, 4) m/s: after 1 s at (3, 24 - 9.81 / 2), which Verlet has exactly.
     EXPECT_NEAR(run.trajectory.at(4).at(0).position[0], 3, 1e-5);
     EXPECT_NEAR(run.trajectory.at(4).at(0).position[1], 24 - 9.81 / 2, 1e-5);
+}
+
+// Another process may run the program while this one makes it again.
+TEST(AnyProgram, IsReplacedAsAWhole) {
+    const auto make = [] { return any_program("free_fall", "q7_25", "velocity_verlet", 9); };
+    const auto bytes = [](const std::filesystem::path& path) {
+        std::ifstream stream(path, std::ios::binary);
+        return std::string(std::istreambuf_iterator<char>(stream), {});
+    };
+    const std::filesystem::path program = make(), empty = program.parent_path() / "empty.elf";
+    const std::string whole = bytes(program), whole_empty = bytes(empty);
+    const auto long_ago = std::filesystem::last_write_time(program) - std::chrono::years(30);
+    std::filesystem::last_write_time(program, long_ago);  // older than its sources
+    std::atomic<bool> made = false;
+    std::thread maker([&] {
+        make();
+        made = true;
+    });
+    int looks = 0, parts = 0;
+    for (; !made; ++looks) parts += bytes(program) != whole || bytes(empty) != whole_empty;
+    maker.join();
+    EXPECT_GT(std::filesystem::last_write_time(program), long_ago);
+    EXPECT_GT(looks, 10);
+    EXPECT_EQ(parts, 0);
 }
 
 // Of 24 bits: by hand, and a rod and springs like those in the 32 bits with the same last bit.
