@@ -18,7 +18,6 @@ STARTS = re.compile(r"(?:build/release/bench/)?fixbench\s|scripts/\S+|bench/run_
 # Commands that are run unchanged, in the root of the project: pattern, and why they are cheap.
 RUN = [
     (r"fixbench --help", "prints"),
-    (r"fixbench advise --scene .*", "reads the committed results"),
     (r"avr-g\+\+ .* program\.cpp .*", "compiles the first program of the page"),
 ]
 # What is run instead of a command, and why.
@@ -28,6 +27,7 @@ INSTEAD = [
     (r"scripts/pdf\.sh.*", "scripts/pdf.sh --help", "installs packages"),
     (r"scripts/docs\.sh.*", "scripts/docs.sh --help", "the test scripts/docs runs it"),
     (r"scripts/package\.sh.*", "scripts/package.sh --help", "the test fixedpoint/package runs it"),
+    (r"fixbench advise --scene .*", "fixbench advise --help", "the test bench/command_line runs it"),
     (r"scripts/setup\.sh.*", "bash -n scripts/setup.sh", "installs packages"),
     (r"scripts/flash\.sh.*", "bash -n scripts/flash.sh", "needs a board"),
     (r"fixbench(?: (?!-)[a-z_-]+)?.*", "fixbench {1} --help", "measures, or takes a file of the user's"),
