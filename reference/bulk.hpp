@@ -186,15 +186,16 @@ Judgement judge_root(std::int64_t a, std::int64_t result, int F = subject.format
 template <Subject subject>
 Judgement judge_length(std::span<const std::int64_t> v, std::int64_t result) {
     constexpr NumberFormat format = subject.format;
-    constexpr Definition held_to = definition(subject);
+    static_assert(definition(subject).rounding == Rounding::nearest_half_up);
     using Square = std::conditional_t<(format.width <= 16), std::uint64_t, Unsigned128>;
     Square square = 0;
     for (const std::int64_t component : v) square += Square(component) * Square(component);
     // sqrt(square) >= MAX + 1/2
     const Square limit = Square(format.max());
     if (square > limit * limit + limit) return pinned(format.max(), result);
-    const double error = double(root_error<Float<format.width>>(result, square));
-    return {.error_ulp = error, .as_defined = std::abs(error) <= held_to.bound_ulp};
+    const Square r(result);
+    return {.error_ulp = double(root_error<Float<format.width>>(result, square)),
+            .as_defined = result >= 0 && square <= r * r + r && (r == 0 || square > r * r - r)};
 }
 
 template <Subject subject>

@@ -88,6 +88,8 @@ constexpr Definition definition(Operation operation, Arithmetic arithmetic) {
                 case Operation::smoothstep:
                 case Operation::midpoint:
                 case Operation::isqrt:
+                case Operation::length2:
+                case Operation::length3:
                     return {Rounding::within_bound, Overflow::to_infinity, no_bound};
                 default:
                     if (function) return {Rounding::within_bound, Overflow::to_infinity, no_bound};

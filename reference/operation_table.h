@@ -172,12 +172,12 @@
 /* a0 b0 + a1 b1 + a2 b2, rounded once. */
 #define OPERATION_dot3(X, ...) \
     X(dot3, dot, 6, 1, ring, 0, everywhere, __VA_ARGS__)
-/* sqrt(a0^2 + a1^2). The squares do not overflow. */
+/* sqrt(a0^2 + a1^2), which is never a tie. The squares do not overflow. */
 #define OPERATION_length2(X, ...) \
-    X(length2, length, 2, 1, function, 1, everywhere, __VA_ARGS__)
-/* sqrt(a0^2 + a1^2 + a2^2). The squares do not overflow. */
+    X(length2, length, 2, 1, rounded, 0, everywhere, __VA_ARGS__)
+/* sqrt(a0^2 + a1^2 + a2^2), which is never a tie. The squares do not overflow. */
 #define OPERATION_length3(X, ...) \
-    X(length3, length, 3, 1, function, 1, everywhere, __VA_ARGS__)
+    X(length3, length, 3, 1, rounded, 0, everywhere, __VA_ARGS__)
 /* The three components of a / |a|, each within the bound. If a = 0: the zero vector. */
 #define OPERATION_normalise3(X, ...) \
     X(normalise3, direction, 3, 3, function, 1, nonzero_vector, __VA_ARGS__)

@@ -24,7 +24,9 @@ PROOFS = {(operation, number_format, implementation): proof
               ("fixedpoint/prove_remainders", ("q16_16",), OURS, ("remainder", "divrem", "divmod")),
               ("fixedpoint/prove_quotients_q32_32", ("q32_32",), OURS, ("divide",)),
               ("fixedpoint/prove_roots", ("q32_32",), OURS, ("sqrt",)),
-              ("fixedpoint/prove_lengths", ("q16_16",), OURS, ("length2", "length3")),
+              # Lengths do not depend on where the point is: one kernel serves all formats of 32 bits.
+              ("fixedpoint/prove_lengths", ("q16_16", "q8_24"), OURS, ("length2", "length3")),
+              ("fixedpoint/prove_lengths", ("q16_16",), "correctly_rounded", ("length2", "length3")),
               ("fixedpoint/prove_short_lengths", ("q8_8",), OURS, ("length3",)),
               (*SUMS, OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),
               (SUMS[0], ("q32_32",), OURS, ("add", "subtract", "abs_diff", "copysign", "midpoint")),

@@ -186,10 +186,10 @@ q4_4 q4_4_dot2(const q4_4 a[2], const q4_4 b[2])
 /// a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^4.
 q4_4 q4_4_dot3(const q4_4 a[3], const q4_4 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q4_4);
-/// The length of v within 1 ulp, saturated to Q4_4_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q4_4_MAX. No square overflows.
 q4_4 q4_4_length2(const q4_4 v[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_length2_q4_4);
-/// The length of v within 1 ulp, saturated to Q4_4_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q4_4_MAX. No square overflows.
 q4_4 q4_4_length3(const q4_4 v[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_length3_q4_4);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.
@@ -364,10 +364,10 @@ q8_8 q8_8_dot2(const q8_8 a[2], const q8_8 b[2])
 /// a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^8.
 q8_8 q8_8_dot3(const q8_8 a[3], const q8_8 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q8_8);
-/// The length of v within 1 ulp, saturated to Q8_8_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q8_8_MAX. No square overflows.
 q8_8 q8_8_length2(const q8_8 v[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_length2_q8_8);
-/// The length of v within 1 ulp, saturated to Q8_8_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q8_8_MAX. No square overflows.
 q8_8 q8_8_length3(const q8_8 v[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_length3_q8_8);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.
@@ -547,10 +547,10 @@ q16_16 q16_16_dot2(const q16_16 a[2], const q16_16 b[2])
 /// a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^16.
 q16_16 q16_16_dot3(const q16_16 a[3], const q16_16 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q16_16);
-/// The length of v within 1 ulp, saturated to Q16_16_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q16_16_MAX. No square overflows.
 q16_16 q16_16_length2(const q16_16 v[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_length2_q16_16);
-/// The length of v within 1 ulp, saturated to Q16_16_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q16_16_MAX. No square overflows.
 q16_16 q16_16_length3(const q16_16 v[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_length3_q16_16);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.
@@ -725,9 +725,9 @@ q8_24 q8_24_dot2(const q8_24 a[2], const q8_24 b[2])
 /// a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^8.
 q8_24 q8_24_dot3(const q8_24 a[3], const q8_24 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q8_24);
-/// The length of v within 1 ulp, saturated to Q8_24_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q8_24_MAX. No square overflows.
 q8_24 q8_24_length2(const q8_24 v[2]);
-/// The length of v within 1 ulp, saturated to Q8_24_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q8_24_MAX. No square overflows.
 q8_24 q8_24_length3(const q8_24 v[3]);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.
 /// `unit` may be `v`.
@@ -906,10 +906,10 @@ q32_32 q32_32_dot2(const q32_32 a[2], const q32_32 b[2])
 /// a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^32.
 q32_32 q32_32_dot3(const q32_32 a[3], const q32_32 b[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_dot3_q32_32);
-/// The length of v within 1 ulp, saturated to Q32_32_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q32_32_MAX. No square overflows.
 q32_32 q32_32_length2(const q32_32 v[2])
     FIXEDPOINT_C_KERNEL(fixedpoint_length2_q32_32);
-/// The length of v within 1 ulp, saturated to Q32_32_MAX. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated to Q32_32_MAX. No square overflows.
 q32_32 q32_32_length3(const q32_32 v[3])
     FIXEDPOINT_C_KERNEL(fixedpoint_length3_q32_32);
 /// Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero.

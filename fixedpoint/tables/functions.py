@@ -121,9 +121,9 @@ OPERATIONS = [
     ("dot3", "Q", "const Q a[3], const Q b[3]",
      "a[0] b[0] + a[1] b[1] + a[2] b[2] rounded once, to nearest, half up, modulo 2^{integer}."),
     ("length2", "Q", "const Q v[2]",
-     "The length of v within 1 ulp, saturated to {Q}_MAX. No intermediate square overflows."),
+     "The length of v rounded to nearest, saturated to {Q}_MAX. No square overflows."),
     ("length3", "Q", "const Q v[3]",
-     "The length of v within 1 ulp, saturated to {Q}_MAX. No intermediate square overflows."),
+     "The length of v rounded to nearest, saturated to {Q}_MAX. No square overflows."),
     ("normalise3", "void", "const Q v[3], Q unit[3]",
      "Writes v divided by its length to `unit`, each component within 1 ulp; zeros if v is zero. "
      "`unit` may be `v`."),

@@ -384,9 +384,10 @@ template <Rounding rounding>
 void expect_every_rounding() {
     for (const RoundedSplit& split :
          {rounded_split<rounding, 8, 0>(), rounded_split<rounding, 8, 4>(),
-          rounded_split<rounding, 8, 7>(), rounded_split<rounding, 16, 15>(),
-          rounded_split<rounding, 32, 16>(), rounded_split<rounding, 64, 32>(),
-          rounded_split<rounding, 64, 63>()}) {
+          rounded_split<rounding, 8, 7>(), rounded_split<rounding, 16, 8>(),
+          rounded_split<rounding, 16, 15>(), rounded_split<rounding, 24, 12>(),
+          rounded_split<rounding, 32, 16>(), rounded_split<rounding, 32, 31>(),
+          rounded_split<rounding, 64, 32>(), rounded_split<rounding, 64, 63>()}) {
         for_each_pair(split.width, 30,
                       [&](int64_t a, int64_t b) { expect_rounded(rounding, split, a, b); });
     }

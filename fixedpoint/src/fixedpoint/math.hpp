@@ -164,7 +164,7 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> power(Fixed<IntegerBits, F, A> x, 
         A::settle(result.number, result.outcome == portable::Outcome::in_range, result.number >= 0,
                   Operation::power));
 }
-/// sqrt(a^2 + b^2) within 1 ulp, saturated. No intermediate square overflows.
+/// sqrt(a^2 + b^2) rounded to nearest, saturated. No square overflows.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> hypot(Fixed<IntegerBits, F, A> a,
                                                     Fixed<IntegerBits, F, A> b) {
@@ -172,7 +172,7 @@ FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> hypot(Fixed<IntegerBits, F, A> a,
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template length2<SignedRawOf<IntegerBits + F, A>, F>(vector));
 }
-/// sqrt(a^2 + b^2 + c^2) within 1 ulp, saturated. No intermediate square overflows.
+/// sqrt(a^2 + b^2 + c^2) rounded to nearest, saturated. No square overflows.
 template <int IntegerBits, int F, class A>
 FIXEDPOINT_CONSTEXPR Fixed<IntegerBits, F, A> hypot(Fixed<IntegerBits, F, A> a,
                                                     Fixed<IntegerBits, F, A> b,

@@ -39,13 +39,13 @@ Fixed<IntegerBits, F, A> dot3(const Fixed<IntegerBits, F, A>* a,
         A::template dot3<SignedRawOf<IntegerBits + F, A>, F>(raws(a), raws(b)));
 }
 
-/// The length of v within 1 ulp, saturated. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated. No square overflows.
 template <int IntegerBits, int F, class A>
 Fixed<IntegerBits, F, A> length2(const Fixed<IntegerBits, F, A>* v) {
     return Fixed<IntegerBits, F, A>::from_raw(
         A::template length2<SignedRawOf<IntegerBits + F, A>, F>(raws(v)));
 }
-/// The length of v within 1 ulp, saturated. No intermediate square overflows.
+/// The length of v rounded to nearest, saturated. No square overflows.
 template <int IntegerBits, int F, class A>
 Fixed<IntegerBits, F, A> length3(const Fixed<IntegerBits, F, A>* v) {
     return Fixed<IntegerBits, F, A>::from_raw(

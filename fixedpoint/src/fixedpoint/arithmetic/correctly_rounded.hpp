@@ -73,16 +73,6 @@ struct CorrectlyRounded : Nearest {
         sine_and_cosine[0] = sin<Raw, F>(angle);
         sine_and_cosine[1] = cos<Raw, F>(angle);
     }
-    /// The length of a vector of two components, correctly rounded, saturated.
-    template <class Raw, int F>
-    static constexpr Raw length2(const Raw* v) {
-        return portable::length2<Raw, F>(v);
-    }
-    /// The length of a vector of three components, correctly rounded, saturated.
-    template <class Raw, int F>
-    static constexpr Raw length3(const Raw* v) {
-        return portable::length3<Raw, F>(v);
-    }
     /// Writes v / length3(v) to `unit`, each component correctly rounded; the zero vector stays
     /// zero. `unit` may be `v`.
     template <class Raw, int F>

@@ -107,14 +107,12 @@ struct Nearest : Wrapping {
     static constexpr Raw dot3(const Raw* a, const Raw* b) {
         return kernel::dot3<Raw, F>(a, b);
     }
-    /// The length of a vector of two components within 1 ulp, saturated. No intermediate square
-    /// overflows.
+    /// The length of a vector of two components rounded, saturated. No square overflows.
     template <class Raw, int F>
     static constexpr Raw length2(const Raw* v) {
         return kernel::length2<Raw, F>(v);
     }
-    /// The length of a vector of three components within 1 ulp, saturated. No intermediate square
-    /// overflows.
+    /// The length of a vector of three components rounded, saturated. No square overflows.
     template <class Raw, int F>
     static constexpr Raw length3(const Raw* v) {
         return kernel::length3<Raw, F>(v);

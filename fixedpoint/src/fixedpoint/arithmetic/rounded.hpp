@@ -2,9 +2,9 @@
 /// \file
 /// Rounded: as Nearest, but products, quotients, conversions and divisions by a power of two are
 /// rounded toward zero, toward minus infinity or half to even. Use it to reproduce the results of
-/// another machine or of a standard. It does not have kernels: products take several times the
-/// cycles of Nearest, and quotients of 64 bits dozens of times. Everything else is inherited from
-/// Nearest.
+/// another machine or of a standard. Products and quotients are first rounded by the kernels of
+/// Nearest; a product modulo 2^F or 2^W tells whether that must be changed. Everything else is
+/// inherited from Nearest.
 #pragma once
 
 #include <fixedpoint/arithmetic/nearest.hpp>
@@ -18,13 +18,23 @@ struct Rounded : Nearest {
     /// a b rounded, mod 2^W.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw multiply(Raw a, Raw b) {
-        return portable::multiply_rounded<rounding, Raw, F>(a, b);
+        // The whole product of 8 bits is one instruction.
+        if (rounding == Rounding::downward && RawLimits<Raw>::width == 8)
+            return static_cast<Raw>(portable::exact_product(a, b) >> F);
+        if (F == 0) return Nearest::multiply<Raw, F>(a, b);
+        constexpr int lost_count = F == 0 ? 1 : F;
+        // Before the kernel is called, for what is needed afterwards occupies registers.
+        const auto lost = portable::lost_bits<lost_count>(a, b);
+        const bool negative = signs_differ(a, b);
+        return portable::product_from_nearest<rounding, lost_count>(Nearest::multiply<Raw, F>(a, b),
+                                                                    lost, negative);
     }
     /// a / b rounded, saturated; a / 0 is the largest number, the smallest one or 0, by the sign of
     /// a.
     template <class Raw, int F>
     static FIXEDPOINT_CONSTEXPR Raw divide(Raw a, Raw b) {
-        return portable::divide_rounded<rounding, Raw, F>(a, b);
+        return portable::quotient_from_nearest<rounding, Raw, F>(Nearest::divide<Raw, F>(a, b), a,
+                                                                 b);
     }
     /// The rounded a b, plus c, mod 2^W.
     template <class Raw, int F>

@@ -1,9 +1,9 @@
 // SPDX-License-Identifier: MIT
-// Products, quotients and conversions with a rounding mode other than to nearest, half up.
+// Products and quotients rounded half up, turned into those of another rounding mode; and
+// conversions.
 #pragma once
 
 #include <fixedpoint/portable/convert.hpp>
-#include <fixedpoint/portable/divide.hpp>
 #include <fixedpoint/portable/product_sum.hpp>
 
 namespace fixedpoint {
@@ -17,82 +17,63 @@ enum class Rounding : unsigned char {
 
 namespace portable {
 
-// The remainder of an integer quotient compared with half the divisor.
-enum class Remainder : unsigned char { none, below_half, half, above_half };
-template <class Word>
-constexpr Remainder remainder_of(const Word& rest, const Word& other, bool is_zero) {
-    return is_zero        ? Remainder::none
-           : rest < other ? Remainder::below_half
-           : rest > other ? Remainder::above_half
-                          : Remainder::half;
-}
+// The smallest built-in word of at least so many bits.
+template <int Bits>
+using WordOf = UnsignedInteger<(Bits <= 8    ? 8
+                                : Bits <= 16 ? 16
+                                : Bits <= 32 ? 32
+                                             : 64)>;
 
-// Whether floor(x), with this remainder, must be rounded up by an ulp.
-constexpr bool goes_up_from_floor(Rounding rounding, Remainder rest, bool negative, bool odd) {
-    return rounding == Rounding::toward_zero ? negative && rest != Remainder::none
-           : rounding == Rounding::half_to_even
-               ? rest == Remainder::above_half || (rest == Remainder::half && odd)
-               : false;
-}
-// The same for the magnitude of x, truncated.
-constexpr bool goes_away_from_zero(Rounding rounding, Remainder rest, bool negative, bool odd) {
-    return rounding == Rounding::downward ? negative && rest != Remainder::none
-                                          : rounding == Rounding::half_to_even &&
-                                                goes_up_from_floor(rounding, rest, negative, odd);
-}
-
-// a b / 2^F modulo 2^W.
-template <Rounding rounding, class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw multiply_rounded(Raw a, Raw b) {
-    using Product = DoubleWord<Raw>;
-    const Product product = exact_product(a, b), floor = static_cast<Product>(product >> F);
-    const Raw result = static_cast<Raw>(floor);
-    if (rounding == Rounding::downward || F == 0) return result;
-    const Product rest = static_cast<Product>(product - static_cast<Product>(floor << F));
-    const Product other =
-        static_cast<Product>(static_cast<Product>(Product(uint8_t(1)) << F) - rest);
-    const bool negative = (a < 0) != (b < 0);  // irrelevant for a product of 0
-    const bool up =
-        goes_up_from_floor(rounding, remainder_of(rest, other, !(rest > Product(uint8_t(0)))),
-                           negative, (static_cast<uint8_t>(result) & 1) != 0);
-    return wrapping_add(result, static_cast<Raw>(up ? 1 : 0));
-}
-
-// The integer part of a 2^F / b and its remainder; from 2^(W-1) on it overflows.
 template <class Raw>
-struct WholeQuotient {
-    Unsigned<Raw> quotient, rest;
-};
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR WholeQuotient<Raw> whole_quotient(Unsigned<Raw> a, Unsigned<Raw> b, Raw) {
-    using Dividend = Unsigned<Wide<Raw>>;
-    const Dividend dividend = static_cast<Dividend>(static_cast<Dividend>(a) << F);
-    const Dividend quotient = static_cast<Dividend>(dividend / b);
-    if (quotient >> (RawLimits<Raw>::width - 1) != 0) return {magnitude_overflow<Raw>(), 0};
-    return {static_cast<Unsigned<Raw>>(quotient),
-            static_cast<Unsigned<Raw>>(dividend - static_cast<Dividend>(quotient * b))};
+constexpr bool is_odd(Raw a) {
+    return (static_cast<uint8_t>(a) & 1) != 0;
 }
-template <class Raw, int F>
-FIXEDPOINT_CONSTEXPR WholeQuotient<int64_t> whole_quotient(uint64_t a, uint64_t b, int64_t) {
-    const uint64_t high = a >> 1 >> (63 - F);
-    if (high >= b) return {magnitude_overflow<int64_t>(), 0};
-    const Division128 division = divide_full(high, a << F, b);
-    if (division.quotient >> 63 != 0) return {magnitude_overflow<int64_t>(), 0};
-    return {division.quotient, division.remainder};
+template <class Raw>
+constexpr Raw moved(Raw a, bool up, bool down) {
+    return up == down ? a : up ? wrapping_add(a, Raw(1)) : wrapping_subtract(a, Raw(1));
 }
-// a 2^F / b, saturated; for b = 0 as divide.
+
+// a b modulo 2^F: the bits that a product loses.
+template <int F, class Raw>
+constexpr WordOf<F> lost_bits(Raw a, Raw b) {
+    return static_cast<WordOf<F>>((1u * static_cast<WordOf<F>>(a) * static_cast<WordOf<F>>(b)) &
+                                  static_cast<WordOf<F>>((WordOf<F>(2) << (F - 1)) - 1));
+}
+// A product modulo 2^W from the one rounded half up, which has gone up if the lost bits begin with
+// a one.
+template <Rounding rounding, int F, class Raw>
+constexpr Raw product_from_nearest(Raw nearest, WordOf<F> lost, bool negative) {
+    return moved(nearest, rounding == Rounding::toward_zero && negative && lost != 0,
+                 rounding == Rounding::half_to_even
+                     ? lost == WordOf<F>(1) << (F - 1) && is_odd(nearest)
+                     : lost >= WordOf<F>(1) << (F - 1));
+}
+
+// Whether |a / b| is 2^(I-1) or more, or b is 0.
+template <class Raw, int F>
+constexpr bool quotient_is_beyond(Raw a, Raw b) {
+    return static_cast<Unsigned<Raw>>(magnitude(a) >> (RawLimits<Raw>::width - 1 - F)) >=
+           magnitude(b);
+}
+// A quotient, saturated, from the one rounded half up; for b = 0 that. Unless the quotient is
+// beyond the range, a 2^F - nearest b is less than |b|, so its W bits tell on which side of
+// `nearest` the quotient lies.
 template <Rounding rounding, class Raw, int F>
-FIXEDPOINT_CONSTEXPR Raw divide_rounded(Raw a, Raw b) {
-    if (b == 0) return a > 0 ? RawLimits<Raw>::max : a < 0 ? RawLimits<Raw>::min : Raw(0);
-    const bool negative = (a < 0) != (b < 0);
-    const WholeQuotient<Raw> whole = whole_quotient<Raw, F>(magnitude(a), magnitude(b), a);
-    const Unsigned<Raw> other = static_cast<Unsigned<Raw>>(magnitude(b) - whole.rest);
-    const bool away =
-        goes_away_from_zero(rounding, remainder_of(whole.rest, other, whole.rest == 0), negative,
-                            (whole.quotient & 1) != 0);
-    return saturated_with_sign<Raw>(
-        static_cast<Unsigned<Raw>>(whole.quotient + static_cast<Unsigned<Raw>>(away ? 1 : 0)),
-        negative);
+FIXEDPOINT_CONSTEXPR Raw quotient_from_nearest(Raw nearest, Raw a, Raw b) {
+    using Word = WordOf<RawLimits<Raw>::width>;
+    if ((nearest == RawLimits<Raw>::max || nearest == RawLimits<Raw>::min) &&
+        quotient_is_beyond<Raw, F>(a, b))
+        return nearest;
+    const Word divisor = static_cast<Word>(b);
+    const Word rest = static_cast<Word>(static_cast<Word>(static_cast<Word>(a) << F) -
+                                        1u * static_cast<Word>(nearest) * divisor);
+    if (rest == 0) return nearest;
+    if (rounding == Rounding::half_to_even)
+        return moved(nearest, false,
+                     static_cast<Word>(rest + rest + divisor) == 0 && is_odd(nearest));
+    const bool above = !signs_differ(static_cast<Raw>(rest), b);
+    const bool negative = rounding == Rounding::toward_zero && signs_differ(a, b);
+    return moved(nearest, above && negative, !above && !negative);
 }
 
 // a / 2^Shift. From Shift = W on the exact quotient is in [-1/2, 1/2).
@@ -105,11 +86,13 @@ FIXEDPOINT_CONSTEXPR Raw shift_rounded(Raw a) {
     if (whole) return static_cast<Raw>(rounding == Rounding::downward && negative ? -1 : 0);
     using Word = Unsigned<Raw>;
     const Raw floor = static_cast<Raw>(a >> count);
-    const Word mask = static_cast<Word>(static_cast<Word>(Word(1) << count) - 1);
+    const Word half = static_cast<Word>(Word(1) << (count - 1));
+    const Word mask = static_cast<Word>(half | (half - 1));
     const Word rest = static_cast<Word>(static_cast<Word>(a) & mask);
-    const Word other = static_cast<Word>(static_cast<Word>(mask - rest) + 1);
-    const bool up = goes_up_from_floor(rounding, remainder_of(rest, other, rest == 0), negative,
-                                       (static_cast<uint8_t>(floor) & 1) != 0);
+    const bool up = rounding == Rounding::toward_zero
+                        ? negative && rest != 0
+                        : rounding == Rounding::half_to_even &&
+                              (rest > half || (rest == half && is_odd(floor)));
     return static_cast<Raw>(floor + (up ? 1 : 0));
 }
 // a, a raw of another format, rounded, modulo 2^W.
