@@ -4,6 +4,7 @@
 #include <fmt/format.h>
 #include <unistd.h>
 
+#include <atomic>
 #include <cerrno>
 #include <cstring>
 #include <fstream>
@@ -14,8 +15,9 @@ namespace records {
 void write_whole(const std::filesystem::path& path, std::string_view content) {
     std::error_code error;
     if (path.has_parent_path()) std::filesystem::create_directories(path.parent_path(), error);
+    static std::atomic<unsigned> count = 0;  // threads may write the same file
     std::filesystem::path partial = path;
-    partial += fmt::format(".partial.{}", getpid());
+    partial += fmt::format(".partial.{}.{}", getpid(), count++);
     std::ofstream stream(partial, std::ios::binary);
     stream.write(content.data(), static_cast<std::streamsize>(content.size()));
     stream.close();

@@ -2,9 +2,13 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
+#include <atomic>
 #include <cmath>
 #include <filesystem>
 #include <fstream>
+#include <iterator>
+#include <thread>
+#include <vector>
 
 #include "bench/lab/records/benchmark_json.hpp"
 #include "bench/lab/records/csv.hpp"
@@ -136,6 +140,27 @@ TEST(WholeFile, LeavesTheOldFileIfTheNewOneCannotBeWritten) {
     for (const auto& entry : std::filesystem::directory_iterator(folder.parent_path())) {
         EXPECT_EQ(entry.path().string().find("folder.csv.partial"), std::string::npos);
     }
+}
+
+TEST(WholeFile, ThreadsMayWriteTheSameOne) {
+    const auto path = scratch("shared.txt");
+    std::atomic<int> failures = 0;
+    std::vector<std::thread> threads;
+    for (const char letter : {'a', 'b', 'c', 'd'})
+        threads.emplace_back([&, letter] {
+            for (int i = 0; i < 100; ++i) {
+                try {
+                    records::write_whole(path, std::string(100'000, letter));
+                } catch (const std::runtime_error&) {
+                    ++failures;
+                }
+            }
+        });
+    for (std::thread& thread : threads) thread.join();
+    EXPECT_EQ(failures, 0);
+    std::ifstream stream(path);
+    const std::string text(std::istreambuf_iterator<char>(stream), {});
+    EXPECT_EQ(text, std::string(100'000, text.front()));
 }
 
 TEST(BenchmarkJson, TimesAreCyclesAt16MHz) {
